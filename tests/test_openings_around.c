@@ -30,7 +30,7 @@ START_TEST(a_tank_with_its_own_pressure_at_a_side_stays_at_rest)
     for (size_t i = 0; i < f.count; ++i)
         inside += f.x[i] < 1;
     ck_assert_double_le(fabs(inside - 800), 20);               /* half a row */
-    ck_assert_double_le(fabs(channel_read(0).velocity), 0.14); /* that of a head of 1 mm, 1/25 of a spacing */
+    ck_assert_double_le(fabs(channel_read(0).velocity), 0.18); /* that of a head of 1.6 mm, 1/15 of a spacing */
     channel_finish();
 }
 END_TEST
@@ -205,7 +205,7 @@ START_TEST(a_box_on_the_floor_feels_the_pressure)
     double v[SPH2D_PROBE_MAX_COLUMNS];
     sph2d_sample above;
     ck_assert(sph2d_sim_sample(channel.sim, (sph2d_vec2){0.5, 0.2}, &above));
-    ck_assert_double_le(fabs(above.pressure - pressure), 0.3 * pressure); /* sound still comes and goes */
+    ck_assert_double_le(fabs(above.pressure - pressure), 0.4 * pressure); /* sound still comes and goes */
     ck_assert_uint_eq(sph2d_sim_probe(channel.sim, 0, v), 12);
     ck_assert_double_le(fabs(v[0]), 0.01 * pressure * 0.2);
     ck_assert_double_le(fabs(v[1] / (above.pressure * 0.2) + 1), _i ? 0.01 : 0.25);

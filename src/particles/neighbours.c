@@ -3,7 +3,7 @@
  *  Memory of the neighbour lists. */
 #include "particles/neighbours.h"
 
-enum { BLOCKS = 5 };
+enum { GRADIENTS = 2, BLOCKS = 5 };
 
 /** The blocks, and the items of each per slab. */
 static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[BLOCKS], size_t items[BLOCKS])
@@ -21,7 +21,7 @@ static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[
     }
 }
 
-bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size_t count, size_t each)
+bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size_t count, size_t each, bool gradients)
 {
     if (n->slices && count <= n->particles && each <= n->each)
         return true;
@@ -32,10 +32,11 @@ bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size
     sph2d__growth blocks[BLOCKS];
     size_t items[BLOCKS];
     list_blocks(n, each, blocks, items);
+    items[GRADIENTS] *= gradients;
     n->particles = particles;
     n->each = each;
     for (int k = 0; k < BLOCKS; ++k)
-        if (!sph2d__grow_all(memory, &blocks[k], 1, 0, sph2d__slabs(particles) * items[k])) {
+        if (items[k] > 0 && !sph2d__grow_all(memory, &blocks[k], 1, 0, sph2d__slabs(particles) * items[k])) {
             sph2d__neighbours_free(n, memory);
             return false;
         }

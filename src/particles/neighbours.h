@@ -43,7 +43,7 @@ typedef struct sph2d__slice {
 typedef struct sph2d__neighbours {
     sph2d__slice *slices;
     uint32_t *index;  /**< of each pair: the other particle */
-    double *gradient; /**< of each pair: a kernel gradient, two floats (lanes.h) */
+    double *gradient; /**< of each pair: a kernel gradient, two floats (lanes.h); NULL if not asked for */
     uint32_t *found;  /**< of each slab: buffer for the search of a slice's neighbours, `longest` for each particle */
     sph2d__slab_sum *sums; /**< of each slab: partial sums, so that sums always have the same order */
     size_t particles;      /**< capacity */
@@ -58,9 +58,10 @@ static inline size_t sph2d__neighbours_longest(const sph2d__neighbours *n)
     return 4 * n->each;
 }
 
-/** Reserves memory for `count` particles with `each` pairs on average in every slab. The contents are lost. False when
+/** Reserves memory for `count` particles with `each` pairs on average in every slab, and for their gradients. The contents
+ *  are lost. False when
  *  memory is short. */
-bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size_t count, size_t each);
+bool sph2d__neighbours_reserve(sph2d__neighbours *n, sph2d__memory *memory, size_t count, size_t each, bool gradients);
 void sph2d__neighbours_free(sph2d__neighbours *n, sph2d__memory *memory);
 
 /** Number of slabs for a number of particles. */

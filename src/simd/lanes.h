@@ -25,6 +25,10 @@ typedef double sph2d__real;
 #define SPH2D__LANES 8
 typedef double sph2d__lanes __attribute__((vector_size(64)));
 typedef float sph2d__float2 __attribute__((vector_size(64)));
+/** Records of four floats, a vector for each of their members. */
+typedef struct sph2d__four {
+    sph2d__lanes a, b, c, d;
+} sph2d__four;
 
 SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
 {
@@ -70,6 +74,46 @@ SPH2D__INLINE sph2d__lanes sph2d__float2_y(sph2d__float2 p)
 {
     return (sph2d__lanes)_mm512_cvtps_pd((__m256)_mm512_cvtepi64_epi32(_mm512_srli_epi64((__m512i)p, 32)));
 }
+SPH2D__INLINE sph2d__lanes sph2d__floats_load(const float *from)
+{
+    return (sph2d__lanes)_mm512_cvtps_pd(_mm256_loadu_ps(from));
+}
+SPH2D__INLINE void sph2d__floats_store(float *to, sph2d__lanes a)
+{
+    _mm256_storeu_ps(to, _mm512_cvtpd_ps((__m512d)a));
+}
+SPH2D__INLINE sph2d__four sph2d__four_of_rows(__m512 low, __m512 high)
+{
+    const __m512i order = _mm512_setr_epi32(0, 4, 8, 12, 16, 20, 24, 28, 0, 0, 0, 0, 0, 0, 0, 0),
+                  one = _mm512_set1_epi32(1), b = _mm512_add_epi32(order, one), c = _mm512_add_epi32(b, one),
+                  d = _mm512_add_epi32(c, one);
+    return (sph2d__four){
+        (sph2d__lanes)_mm512_cvtps_pd(_mm512_castps512_ps256(_mm512_permutex2var_ps(low, order, high))),
+        (sph2d__lanes)_mm512_cvtps_pd(_mm512_castps512_ps256(_mm512_permutex2var_ps(low, b, high))),
+        (sph2d__lanes)_mm512_cvtps_pd(_mm512_castps512_ps256(_mm512_permutex2var_ps(low, c, high))),
+        (sph2d__lanes)_mm512_cvtps_pd(_mm512_castps512_ps256(_mm512_permutex2var_ps(low, d, high)))};
+}
+SPH2D__INLINE __m512 sph2d__four_rows(const float *from, const uint32_t *index)
+{
+    __m512 rows = _mm512_castps128_ps512(_mm_loadu_ps(from + 4 * (size_t)index[0]));
+    rows = _mm512_insertf32x4(rows, _mm_loadu_ps(from + 4 * (size_t)index[1]), 1);
+    rows = _mm512_insertf32x4(rows, _mm_loadu_ps(from + 4 * (size_t)index[2]), 2);
+    return _mm512_insertf32x4(rows, _mm_loadu_ps(from + 4 * (size_t)index[3]), 3);
+}
+SPH2D__INLINE sph2d__four sph2d__four_gather(const float *from, const uint32_t *index)
+{
+    return sph2d__four_of_rows(sph2d__four_rows(from, index), sph2d__four_rows(from, index + 4));
+}
+SPH2D__INLINE sph2d__four sph2d__four_load(const float *from)
+{
+    return sph2d__four_of_rows(_mm512_loadu_ps(from), _mm512_loadu_ps(from + 16));
+}
+SPH2D__INLINE void sph2d__four_store(float *to, sph2d__four v)
+{
+    const __m512d ab = (__m512d)sph2d__float2_of(v.a, v.b), cd = (__m512d)sph2d__float2_of(v.c, v.d);
+    _mm512_storeu_ps(to, (__m512)_mm512_permutex2var_pd(ab, _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11), cd));
+    _mm512_storeu_ps(to + 16, (__m512)_mm512_permutex2var_pd(ab, _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15), cd));
+}
 SPH2D__INLINE void sph2d__lanes_pack_index(uint32_t *to, uint32_t first, unsigned which)
 {
     __m256i index = _mm256_add_epi32(_mm256_set1_epi32((int)first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
@@ -85,6 +129,9 @@ SPH2D__INLINE void sph2d__lanes_pack(double *to, sph2d__lanes a, unsigned which)
 #define SPH2D__LANES 4
 typedef double sph2d__lanes __attribute__((vector_size(32)));
 typedef float sph2d__float2 __attribute__((vector_size(32)));
+typedef struct sph2d__four {
+    sph2d__lanes a, b, c, d;
+} sph2d__four;
 
 SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
 {
@@ -127,10 +174,48 @@ SPH2D__INLINE sph2d__lanes sph2d__float2_y(sph2d__float2 p)
     return (sph2d__lanes)_mm256_cvtps_pd(_mm_shuffle_ps(low, high, _MM_SHUFFLE(3, 1, 3, 1)));
 }
 
+SPH2D__INLINE sph2d__lanes sph2d__floats_load(const float *from)
+{
+    return (sph2d__lanes)_mm256_cvtps_pd(_mm_loadu_ps(from));
+}
+SPH2D__INLINE void sph2d__floats_store(float *to, sph2d__lanes a)
+{
+    _mm_storeu_ps(to, _mm256_cvtpd_ps((__m256d)a));
+}
+SPH2D__INLINE sph2d__four sph2d__four_of_rows(__m128 a, __m128 b, __m128 c, __m128 d)
+{
+    _MM_TRANSPOSE4_PS(a, b, c, d);
+    return (sph2d__four){(sph2d__lanes)_mm256_cvtps_pd(a), (sph2d__lanes)_mm256_cvtps_pd(b),
+                         (sph2d__lanes)_mm256_cvtps_pd(c), (sph2d__lanes)_mm256_cvtps_pd(d)};
+}
+SPH2D__INLINE sph2d__four sph2d__four_gather(const float *from, const uint32_t *index)
+{
+    return sph2d__four_of_rows(_mm_loadu_ps(from + 4 * (size_t)index[0]), _mm_loadu_ps(from + 4 * (size_t)index[1]),
+                               _mm_loadu_ps(from + 4 * (size_t)index[2]), _mm_loadu_ps(from + 4 * (size_t)index[3]));
+}
+SPH2D__INLINE sph2d__four sph2d__four_load(const float *from)
+{
+    return sph2d__four_of_rows(_mm_loadu_ps(from), _mm_loadu_ps(from + 4), _mm_loadu_ps(from + 8),
+                               _mm_loadu_ps(from + 12));
+}
+SPH2D__INLINE void sph2d__four_store(float *to, sph2d__four v)
+{
+    __m128 a = _mm256_cvtpd_ps((__m256d)v.a), b = _mm256_cvtpd_ps((__m256d)v.b), c = _mm256_cvtpd_ps((__m256d)v.c),
+           d = _mm256_cvtpd_ps((__m256d)v.d);
+    _MM_TRANSPOSE4_PS(a, b, c, d);
+    _mm_storeu_ps(to, a);
+    _mm_storeu_ps(to + 4, b);
+    _mm_storeu_ps(to + 8, c);
+    _mm_storeu_ps(to + 12, d);
+}
+
 #else
 #define SPH2D__LANES 2
 typedef double sph2d__lanes __attribute__((vector_size(16)));
 typedef float sph2d__float2 __attribute__((vector_size(16)));
+typedef struct sph2d__four {
+    sph2d__lanes a, b, c, d;
+} sph2d__four;
 
 /** Square root of each lane. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
@@ -166,6 +251,37 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_gather(const double *from, const uint32_
 SPH2D__INLINE sph2d__float2 sph2d__float2_of(sph2d__lanes x, sph2d__lanes y)
 {
     return (sph2d__float2){(float)x[0], (float)y[0], (float)x[1], (float)y[1]};
+}
+/** A vector by floats, and rounded to them. */
+SPH2D__INLINE sph2d__lanes sph2d__floats_load(const float *from)
+{
+    return (sph2d__lanes){(double)from[0], (double)from[1]};
+}
+SPH2D__INLINE void sph2d__floats_store(float *to, sph2d__lanes a)
+{
+    to[0] = (float)a[0];
+    to[1] = (float)a[1];
+}
+/** Four vectors by records of four floats: those that `index` names, or those at `from`. */
+SPH2D__INLINE sph2d__four sph2d__four_gather(const float *from, const uint32_t *index)
+{
+    const float *p = from + 4 * (size_t)index[0], *q = from + 4 * (size_t)index[1];
+    return (sph2d__four){{(double)p[0], (double)q[0]},
+                         {(double)p[1], (double)q[1]},
+                         {(double)p[2], (double)q[2]},
+                         {(double)p[3], (double)q[3]}};
+}
+SPH2D__INLINE sph2d__four sph2d__four_load(const float *from)
+{
+    return sph2d__four_gather(from, (const uint32_t[2]){0, 1});
+}
+/** Records of four vectors, rounded to floats. */
+SPH2D__INLINE void sph2d__four_store(float *to, sph2d__four v)
+{
+    for (int l = 0; l < SPH2D__LANES; ++l) {
+        const float row[4] = {(float)v.a[l], (float)v.b[l], (float)v.c[l], (float)v.d[l]};
+        memcpy(to + 4 * l, row, sizeof row);
+    }
 }
 /** The first of each pair, and the second. */
 SPH2D__INLINE sph2d__lanes sph2d__float2_x(sph2d__float2 p)

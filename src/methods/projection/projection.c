@@ -58,8 +58,8 @@ bool sph2d__projection_gather(sph2d__system *s)
     put_far(&s->walls, s->walls.x, s->walls.y);
     stand_still(&s->fluid);
     for (;; each = 2 * s->neighbours.each) {
-        if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) ||
-            (s->walls_press && !sph2d__neighbours_reserve(&s->wall_neighbours, s->memory, s->walls.count, each)))
+        if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each, true) ||
+            (s->walls_press && !sph2d__neighbours_reserve(&s->wall_neighbours, s->memory, s->walls.count, each, true)))
             return false;
         s->neighbours.lanes = s->wall_neighbours.lanes = sph2d__projection_gather_find(s->isa)->lanes;
         if (sph2d__over_rows(s, gather_slab, NULL).most == 0)

@@ -108,10 +108,10 @@ static void start_motion(sph2d__system *s, size_t i)
 {
     sph2d__frozen *z = s->frozen;
     const sph2d__store *f = &s->fluid;
-    const float v[2] = {(float)f->vx[i], (float)f->vy[i]};
-    memcpy(z->velocity + i, v, sizeof v);
-    z->zx[i] = z->cxx[i] * f->vx[i] + z->cyx[i] * f->vy[i] + z->wall_zx[i];
-    z->zy[i] = z->cxy[i] * f->vx[i] + z->cyy[i] * f->vy[i] + z->wall_zy[i];
+    const float row[4] = {(float)f->vx[i], (float)f->vy[i],
+                          (float)(z->cxx[i] * f->vx[i] + z->cyx[i] * f->vy[i] + z->wall_zx[i]),
+                          (float)(z->cxy[i] * f->vx[i] + z->cyy[i] * f->vy[i] + z->wall_zy[i])};
+    memcpy(z->velocity + 4 * i, row, sizeof row);
 }
 
 static void start_slab(sph2d__system *s, size_t first, size_t last)
@@ -120,7 +120,7 @@ static void start_slab(sph2d__system *s, size_t first, size_t last)
     sph2d__store *f = &s->fluid;
     for (size_t i = first; i < last; ++i) {
         start_motion(s, i);
-        z->next_zx[i] = z->next_zy[i] = z->diffused[i] = 0; /* where no wall is they stay so */
+        z->diffused[i] = 0;
         z->px[i] = f->next_x[i];
         z->py[i] = f->next_y[i];
     }
@@ -129,23 +129,24 @@ static void start_slab(sph2d__system *s, size_t first, size_t last)
 /** For how long rates act before diffusion, and after it. */
 typedef struct times {
     double before, after;
+    bool rest; /* e is found, too */
 } times;
 
 static void rate_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const times *t = with;
-    sph2d__wcsph_find(s->isa)->rate(s, slab->first, slab->last, t->before, t->after, sum);
+    sph2d__wcsph_find(s->isa)->rate(s, slab->first, slab->last, t->before, t->after, t->rest, sum);
 }
 
 static void force_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    (void)with;
-    sph2d__wcsph_find(s->isa)->force(s, slab->first, slab->last, sum);
+    const double *once = with;
+    sph2d__wcsph_find(s->isa)->force(s, slab->first, slab->last, *once, sum);
 }
 
-static void swap(double **a, double **b)
+static void swap(float **a, float **b)
 {
-    double *c = *a;
+    float *c = *a;
     *a = *b;
     *b = c;
 }
@@ -260,6 +261,7 @@ static void sound(sph2d_sim *sim, double dt)
     sph2d__frozen *z = s->frozen;
     const size_t steps = acoustic_steps(s, dt);
     z->dt = dt / (double)steps;
+    z->thick = !sph2d__viscous_at_once(s, dt);
     z->share = 1 / (double)steps;
     z->past = 1;
     sph2d__over_particles(s, s->fluid.count, start_slab);
@@ -267,13 +269,16 @@ static void sound(sph2d_sim *sim, double dt)
     const double half = z->dt / 2;
     sph2d__images_of_velocity(s);
     sim->record.energy_fed += s->mass * sph2d__over_fluid(s, meet_slab, NULL).first;
-    sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half});
+    const size_t middle = (steps + 1) / 2; /* when what acts once does */
+    sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half, middle == 1});
     sph2d__images_of_pressure(s);
+    sph2d__images_of_rest(s);
     const double before = rates.third;
     sim->record.energy_pressed += rates.first;
     sim->record.energy_fed -= rates.fourth;
     for (size_t k = 1; k <= steps; ++k) {
-        const sph2d__slab_sum work = sph2d__over_fluid(s, force_slab, NULL);
+        const double once = k == middle ? (double)steps : 0;
+        const sph2d__slab_sum work = sph2d__over_fluid(s, force_slab, &once);
         sim->record.energy_pressed -= work.first;
         sim->record.energy_viscous -= work.second;
         sim->record.energy_fed -= work.third;
@@ -285,13 +290,13 @@ static void sound(sph2d_sim *sim, double dt)
             sim->record.energy_viscous -= friction;
         }
         swap(&z->velocity, &z->next_velocity);
-        swap(&z->zx, &z->next_zx);
-        swap(&z->zy, &z->next_zy);
         if (k < steps)
             impose(sim);
         sph2d__images_of_velocity(s);
-        rates = sph2d__over_fluid(s, rate_slab, &(times){half, k < steps ? half : 0});
+        rates = sph2d__over_fluid(s, rate_slab, &(times){half, k < steps ? half : 0, k + 1 == middle});
         sph2d__images_of_pressure(s);
+        if (k + 1 == middle)
+            sph2d__images_of_rest(s);
         sim->record.energy_diffused -= rates.second;
         sim->record.energy_pressed += rates.first;
         sim->record.energy_fed -= rates.fourth;

@@ -101,8 +101,7 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
         before && z->front_weight[i] > 0 ? z->mean_repelled[i] * sqrt(x * x + y * y) / z->front_weight[i] : 0;
     sph2d_vec2 friction = sph2d__friction_of(s, b, dx, dy);
     if (z->sticks) {
-        const sph2d__frozen_stick k =
-            sph2d__frozen_stick_of(s, i, b, (float[2]){gx, gy}, (float[2]){(float)dx, (float)dy});
+        const sph2d__frozen_stick k = sph2d__frozen_stick_of(s, i, b, x, y, (double)rx, (double)ry);
         const double mx = z->mean_vx[i], my = z->mean_vy[i];
         friction.x += s->mass * (z->past * k.x - k.xx * mx - k.xy * my);
         friction.y += s->mass * (z->past * k.y - k.xy * mx - k.yy * my);
@@ -139,11 +138,22 @@ static const double WAY = 0.125;
 /* Part of the longest acoustic step that is stable with viscosity: of 1 over half the largest rate in a lattice. */
 static const double VISCOUS = 0.5;
 
+/** Half the largest rate in a lattice [1/s]. */
+static double viscous_rate(const sph2d__system *s)
+{
+    return s->viscosity / s->rest_density * s->central_weight * s->lattice_slopes;
+}
+
+bool sph2d__viscous_at_once(const sph2d__system *s, double dt)
+{
+    return viscous_rate(s) * dt <= VISCOUS;
+}
+
 /** The longest acoustic step, and what limits it. */
 static double acoustic_step(const sph2d__system *s, double speed, sph2d__limit *limit)
 {
     const double sound = s->method.cfl * s->support / (s->sound_speed + speed);
-    const double rate = s->viscosity / s->rest_density * s->central_weight * s->lattice_slopes;
+    const double rate = viscous_rate(s);
     *limit = rate * sound > VISCOUS ? SPH2D__LIMIT_VISCOUS : SPH2D__LIMIT_ACOUSTIC;
     return rate * sound > VISCOUS ? VISCOUS / rate : sound;
 }

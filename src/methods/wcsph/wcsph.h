@@ -42,8 +42,7 @@
  *      e_i  = -(0.1 m c0/dx) sum_j (r_i c_ij - r_j c_ji),  r_i = sum_j c_ij v_ij, which is 0 for linear velocities,
  *             c_ij = lambda_i (|G_ij|/sum_k |G_ik| + s_i . A_i G_ij),  s_i = sum_j |G_ij| r_ij/sum_k |G_ik|,
  *             lambda from 0 at surfaces and walls, where sums see one side alone and r is not 0 for potential flow,
- *             to 1 inside, less where viscosity does it: it takes
- *             (0.1 m c0/dx) |r_i|^2
+ *             to 1 inside, less where viscosity does it: it takes (0.1 m c0/dx) |r_i|^2
  *      P_i += Z m c0 H D_i, the damping of sound (Sun, Pilloni, Antuono & Colagrossi 2023, J. Comput. Phys. 483, 112056),
  *             0 where the liquid keeps its volume; Z at most 0.1, and as much as an acoustic step bears
  *      pairs nearer than r0 = dx/2 repel each other by R (1 - r/r0)^2, R = 0.2 rho0 c0^2 dx: nothing else keeps two
@@ -51,8 +50,11 @@
  *      the particle stops: tension pulls liquid into walls
  *      dtheta_i/dt += -C c0 sum_j s |G_ij|,  s = minmod(theta_ij, theta_ij - (grad theta_i + grad theta_j)/2 . r)
  *
- *  Viscosity is mu V0 4/<r^2> sum_j w r G_ij, the central form (terms/viscosity.h). Boundary particles
- *  beyond sides act as far as there is an obstacle at their image.
+ *  Viscosity is mu V0 4/<r^2> sum_j w r G_ij, the central form (terms/viscosity.h). Boundary particles beyond sides act as
+ *  far as there is an obstacle at their image. What is slow against sound, e, the diffusion of theta and, unless the liquid
+ *  is thick, viscosity, acts once a step, with the impulse of all of it, in the acoustic step that is its middle: at the
+ *  start or the end angular momentum would be kept to first order only. e takes at most 1/4 of c0/dx times the step, since
+ *  no row of r has a larger sum than 2.
  *
  *  Once a step theta is moved towards what the neighbours say, as far as dissipation has paid for it. Their kernel sum
  *  Sigma over that of a lattice is rho s, s the part of the kernel that a surface leaves. Sigma and K = |sum_j G |r|| both
@@ -78,7 +80,7 @@ static inline double sph2d__density_ratio(double theta)
     const double x = theta / 4;
     double sum = 1;
     for (int k = 14; k > 0; --k)
-        sum = 1 + x / k * sum;
+        sum = 1 + x * (1.0 / k) * sum;
     return sum * sum * (sum * sum);
 }
 
@@ -97,15 +99,10 @@ static inline double sph2d__density_ratio(double theta)
     X(smooth)                        /* lambda */                                                                      \
     X(weight)                        /* sum |G| [1/m] */                                                               \
     X(kx) X(ky)                      /* A s */                                                                         \
-    X(rest) X(rest_x) X(rest_y)      /* two floats: lambda r over sum |G|; lambda rx k; lambda ry k */                 \
     X(shift_x) X(shift_y)            /* way by shifting over the step [m] */                                            \
     X(summed)                        /* density by summation, less density, over rest density */                       \
     X(walled)                        /* the part of C that acts, 0 where none does */                                   \
-    X(slope_v) X(slope_w) X(slope_p) /* two floats: stretch and half of shear; dvy/dy and nothing; grad p */ \
-    X(velocity) X(next_velocity)     /* two floats [m/s] */                                                            \
-    X(press) X(press_more)           /* two floats: P B by xx, xy; by yy, and theta */                                 \
     X(work)                          /* P [J/m] */                                                                     \
-    X(zx) X(zy) X(next_zx) X(next_zy) /* z [m/s] */                                                                    \
     X(diffused)                      /* change of theta by diffusion over an acoustic step */                          \
     X(damping)                       /* Z m c0 H [J s/m] */                                                            \
     X(rate)                          /* D [1/s] */                                                                     \
@@ -127,6 +124,22 @@ static inline double sph2d__density_ratio(double theta)
     X(front_speed)                   /* along their normal [m/s] */                                                    \
     X(repelled) X(mean_repelled)     /* how its image in them repels it, now and over the step [N/m] */                \
     X(push_x) X(push_y)              /* over the step: the acceleration by images [m/s^2] */
+
+/** Records of four floats, which neighbours read at once. */
+#define SPH2D__FROZEN_RECORDS(X)                                                                                       \
+    X(state)                         /* v, theta, at the start of the step; nothing */                                 \
+    X(slope)                         /* dvx/dx; half of shear; dvy/dy; 1 where walled */                               \
+    X(bend)                          /* grad theta; half of rotation; nothing */                                       \
+    X(rest)                          /* lambda r over sum |G| [1/s]; A s sum |G|, both along x and y */                \
+    X(press)                         /* P B by xx, xy, yy; theta */                                                    \
+    X(velocity) X(next_velocity)     /* v, z [m/s] */
+
+/** The arrays of the pairs: floats. */
+#define SPH2D__FROZEN_PAIRS(X)                                                                                         \
+    X(gx) X(gy)                      /* G [1/m] */                                                                     \
+    X(rx) X(ry)                      /* x_i - x_j [m] */                                                               \
+    X(inverse)                       /* 1/|G| [m], 0 of pairs that are none */                                         \
+    X(linear_w) X(linear_theta)      /* what is linear of w [m/s], and of theta_ij */
 /* clang-format on */
 
 /** A body during a step: its motion, and the liquid's force on it in the mean over the step, so far. */
@@ -162,12 +175,13 @@ typedef struct sph2d__frozen {
 #define SPH2D__FROZEN_MEMBER(name) double *name;
     SPH2D__FROZEN_ARRAYS(SPH2D__FROZEN_MEMBER)
 #undef SPH2D__FROZEN_MEMBER
+#define SPH2D__FROZEN_RECORD(name) float *name;
+    SPH2D__FROZEN_RECORDS(SPH2D__FROZEN_RECORD)
+    SPH2D__FROZEN_PAIRS(SPH2D__FROZEN_RECORD)
+#undef SPH2D__FROZEN_RECORD
     double *part;         /**< of boundary particles: how much of them acts */
     size_t walls;         /**< boundary particles */
     size_t capacity;      /**< particles */
-    double *linear;       /**< of each pair: what is linear of w [m/s] and of theta_ij, two floats */
-    float *inverse;       /**< of each pair: 1/|G| [m] */
-    float *distance;      /**< of each pair: r [m] */
     unsigned char *flags; /**< of each slice: SPH2D__FROZEN_WALLED, _BESIDE */
     uint32_t *close;      /**< of each slice: slots of pairs that may come close, behind those with walls */
     size_t pairs, slices;
@@ -177,6 +191,7 @@ typedef struct sph2d__frozen {
     double past;                /**< the part of the step that is over, in means */
     bool sticks, rubs, pulls;   /**< some walls have no slip, are smooth; there is surface tension */
     bool holds;                 /**< there are openings */
+    bool thick;                 /**< viscosity is stable in acoustic steps, not in a whole step at once */
     bool driven;                /**< external forces are not one that is the same everywhere and has a potential */
     sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
     sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
@@ -208,13 +223,14 @@ typedef struct sph2d__wcsph_gather_pass {
 
 /** The sweeps of an acoustic step. */
 typedef struct sph2d__wcsph_pass {
-    /** A kick by the forces; sums up the work of dissipation, of friction, of forces on particles that are held, and of
+    /** A kick by the forces, with `once` times those that act once a step; sums up the work of dissipation, of friction, of forces on particles that are held, and of
      *  driving forces [J/m], and the external force [N/m]. */
-    void (*force)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
+    void (*force)(sph2d__system *system, size_t first, size_t last, double once, sph2d__slab_sum *sum);
     /** Rates of density, which act over `before` and, once density has diffused, over `after` [s], as velocities do; then
-     *  pressures. Sums up what damping takes and the elastic energy that diffused [J/m], D^2 [1/s^2], and
+     *  pressures; with `rest` r of e, too. Sums up what damping takes and the elastic energy that diffused [J/m], D^2 [1/s^2], and
      *  the elastic energy that particles that are held would get [J/m]. */
-    void (*rate)(sph2d__system *system, size_t first, size_t last, double before, double after, sph2d__slab_sum *sum);
+    void (*rate)(sph2d__system *system, size_t first, size_t last, double before, double after, bool rest,
+                 sph2d__slab_sum *sum);
 } sph2d__wcsph_pass;
 
 SPH2D__COPIES(sph2d__wcsph_gather_pass, sph2d__wcsph_gather)
@@ -237,6 +253,7 @@ size_t sph2d__image_of(const sph2d__frozen *frozen, size_t k);
 void sph2d__images_of_slopes(sph2d__system *system);
 void sph2d__images_of_velocity(sph2d__system *system);
 void sph2d__images_of_pressure(sph2d__system *system);
+void sph2d__images_of_rest(sph2d__system *system);
 void sph2d__frozen_free(sph2d__system *system);
 
 /** Viscosities, friction of walls and surface tension (wcsph_friction.c), once neighbours are known. False when memory
@@ -247,8 +264,8 @@ bool sph2d__frozen_rub(sph2d__system *system);
 typedef struct sph2d__frozen_stick {
     double xx, xy, yy, x, y;
 } sph2d__frozen_stick;
-sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *system, size_t i, size_t b, const float gradient[2],
-                                           const float apart[2]);
+sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *system, size_t i, size_t b, double gx, double gy,
+                                           double rx, double ry);
 
 /** Bodies in acoustic steps (wcsph_bodies.c): sets their rows and velocities, once the liquid's are gathered. False
  *  when memory is short. */
@@ -264,6 +281,9 @@ void sph2d__frozen_bodies_free(sph2d__system *system);
 
 /** The time scheme (advance.c): method.h. */
 sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt);
+
+/** Whether viscosity is as stable at once over a step of length dt as it may be in an acoustic one. */
+bool sph2d__viscous_at_once(const sph2d__system *system, double dt);
 
 /** The acoustic steps in a step of length dt. */
 size_t sph2d__acoustic_steps(const sph2d__system *system, double dt);

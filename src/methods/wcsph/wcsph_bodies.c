@@ -65,13 +65,10 @@ static void add_pair(const sph2d__system *s, sph2d__frozen_row *row, size_t k, s
     const sph2d_vec2 center = sph2d__rigid_center(r, r->now);
     const double arm_x = sph2d__period_nearest(w->x[b] - center.x, p->length_x),
                  arm_y = sph2d__period_nearest(w->y[b] - center.y, p->length_y);
-    float g[2], apart[2];
-    memcpy(g, s->neighbours.gradient + k, sizeof g);
-    memcpy(apart, z->linear + k, sizeof apart);
-    const double gx = (double)g[0], gy = (double)g[1];
+    const double gx = (double)z->gx[k], gy = (double)z->gy[k], rx = (double)z->rx[k], ry = (double)z->ry[k];
     const double ax = z->bxx[i] * gx + z->bxy[i] * gy, ay = z->bxy[i] * gx + z->byy[i] * gy;
     const double nx = z->wall_xx[i] * ax + z->wall_xy[i] * ay, ny = z->wall_xy[i] * ax + z->wall_yy[i] * ay;
-    const bool before = (double)apart[0] * w->normal_x[b] + (double)apart[1] * w->normal_y[b] > w->depth[b];
+    const bool before = rx * w->normal_x[b] + ry * w->normal_y[b] > w->depth[b];
     const double share = before && z->front_weight[i] > 0 ? hypot(gx, gy) / z->front_weight[i] : 0;
     const double fx = share * z->front_nx[i], fy = share * z->front_ny[i];
     const double repels[3] = {fx, fy, arm_x * fy - arm_y * fx};
@@ -80,12 +77,12 @@ static void add_pair(const sph2d__system *s, sph2d__frozen_row *row, size_t k, s
     for (int d = 0; d < 3; ++d) {
         row->press[d] += presses[d];
         row->repel[d] += repels[d];
-        row->pull[d][0] += pulls[d] * (double)apart[0];
-        row->pull[d][1] += pulls[d] * (double)apart[1];
+        row->pull[d][0] += pulls[d] * rx;
+        row->pull[d][1] += pulls[d] * ry;
     }
     if (!z->sticks)
         return;
-    const sph2d__frozen_stick stick = sph2d__frozen_stick_of(s, i, b, g, apart);
+    const sph2d__frozen_stick stick = sph2d__frozen_stick_of(s, i, b, gx, gy, rx, ry);
     const double by[3][2] = {{1, 0}, {0, 1}, {-arm_y, arm_x}};
     for (int d = 0; d < 3; ++d) {
         row->stick[d][0] += by[d][0] * stick.xx + by[d][1] * stick.xy;
@@ -229,8 +226,8 @@ double sph2d__frozen_bodies_kick(sph2d__system *s, double done, double *friction
         z->wall_rate[i] += flux;
         z->wall_zx[i] += dx;
         z->wall_zy[i] += dy;
-        z->next_zx[i] += dx;
-        z->next_zy[i] += dy;
+        z->next_velocity[4 * i + 2] += (float)dx;
+        z->next_velocity[4 * i + 3] += (float)dy;
         const sph2d__twist middle = sph2d__twist_add(b->velocity, -0.5, w),
                            placed = s->rigids[row->body].state->velocity;
         work += z->dt / 4 * z->brake[i] * flux -

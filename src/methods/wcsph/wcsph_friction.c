@@ -14,11 +14,10 @@
 #include "methods/terms/tension.h"
 #include "methods/wcsph/wcsph.h"
 
-sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *s, size_t i, size_t b, const float g[2],
-                                           const float apart[2])
+sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *s, size_t i, size_t b, double gx, double gy, double x,
+                                           double y)
 {
     const sph2d__store *w = &s->walls;
-    const double gx = (double)g[0], gy = (double)g[1], x = (double)apart[0], y = (double)apart[1];
     const double size2 = gx * gx + gy * gy, gain = size2 > 0 ? sph2d__stick(s, b, x, y) : 0;
     const double mu = s->viscosities ? s->viscosities[i] : s->viscosity;
     const double scale = gain > 0 ? mu / s->rest_density * s->central_weight * hypot(x, y) / sqrt(size2) : 0;
@@ -38,12 +37,10 @@ static void stick_some(sph2d__system *s, size_t first, size_t last)
         sph2d__frozen_stick sum = {0};
         size_t k = at->begin + (size_t)at->fluid * n->lanes + i % n->lanes;
         for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->lanes) {
-            float g[2], apart[2];
-            memcpy(g, n->gradient + k, sizeof g);
-            memcpy(apart, z->linear + k, sizeof apart);
             if (n->index[k] >= s->walls.count)
                 continue;
-            const sph2d__frozen_stick b = sph2d__frozen_stick_of(s, i, n->index[k], g, apart);
+            const sph2d__frozen_stick b = sph2d__frozen_stick_of(s, i, n->index[k], (double)z->gx[k], (double)z->gy[k],
+                                                                 (double)z->rx[k], (double)z->ry[k]);
             sum = (sph2d__frozen_stick){sum.xx + b.xx, sum.xy + b.xy, sum.yy + b.yy, sum.x + b.x, sum.y + b.y};
         }
         z->stick_xx[i] = sum.xx;
@@ -87,10 +84,9 @@ typedef struct slopes {
 
 static slopes slopes_of(const sph2d__frozen *z, size_t i)
 {
-    float v[2], w[2];
-    memcpy(v, z->slope_v + i, sizeof v);
-    memcpy(w, z->slope_w + i, sizeof w);
-    return (slopes){(double)v[0], (double)v[1] + (double)w[1], (double)v[1] - (double)w[1], (double)w[0]};
+    const float *l = z->slope + 4 * i;
+    const double shear = (double)l[1], turn = (double)z->bend[4 * i + 2];
+    return (slopes){(double)l[0], shear + turn, shear - turn, (double)l[2]};
 }
 
 /** The same by the liquid and the walls that it sticks to, which have the velocities of stick.h: L M of the liquid alone, and
@@ -108,11 +104,8 @@ static slopes slopes_at_walls(const sph2d__system *s, size_t i)
     const sph2d__slice *at = &n->slices[i / n->lanes];
     size_t k = at->begin + (size_t)at->fluid * n->lanes + i % n->lanes;
     for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->lanes) {
-        float g[2], r[2];
-        memcpy(g, n->gradient + k, sizeof g);
-        memcpy(r, z->linear + k, sizeof r);
         const size_t b = n->index[k];
-        const double gx = (double)g[0], gy = (double)g[1], x = (double)r[0], y = (double)r[1];
+        const double gx = (double)z->gx[k], gy = (double)z->gy[k], x = (double)z->rx[k], y = (double)z->ry[k];
         const double stick = b < w->count && (gx != 0 || gy != 0) ? sph2d__stick(s, b, x, y) : 0;
         if (!(stick > 0))
             continue;

@@ -82,7 +82,11 @@ static void find_left(const sph2d__system *s, sph2d__frozen *z)
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 #define COUNT_ONE(name) +1
-enum { ARRAYS = 0 SPH2D__FROZEN_ARRAYS(COUNT_ONE), PAIRS = 3, ALL = ARRAYS + PAIRS + 3 };
+enum {
+    ARRAYS = 0 SPH2D__FROZEN_ARRAYS(COUNT_ONE) SPH2D__FROZEN_RECORDS(COUNT_ONE),
+    PAIRS = 0 SPH2D__FROZEN_PAIRS(COUNT_ONE),
+    ALL = ARRAYS + PAIRS + 3
+};
 
 static void list_blocks(sph2d__frozen *z, sph2d__growth out[ALL])
 {
@@ -90,9 +94,12 @@ static void list_blocks(sph2d__frozen *z, sph2d__growth out[ALL])
 #define BLOCK(name) out[n++] = (sph2d__growth){&z->name, sizeof *z->name};
     SPH2D__FROZEN_ARRAYS(BLOCK)
 #undef BLOCK
-    out[n++] = (sph2d__growth){&z->linear, sizeof *z->linear};
-    out[n++] = (sph2d__growth){&z->inverse, sizeof *z->inverse};
-    out[n++] = (sph2d__growth){&z->distance, sizeof *z->distance};
+#define RECORD(name) out[n++] = (sph2d__growth){&z->name, 4 * sizeof *z->name};
+    SPH2D__FROZEN_RECORDS(RECORD)
+#undef RECORD
+#define PAIR(name) out[n++] = (sph2d__growth){&z->name, sizeof *z->name};
+    SPH2D__FROZEN_PAIRS(PAIR)
+#undef PAIR
     out[n++] = (sph2d__growth){&z->flags, sizeof *z->flags};
     out[n++] = (sph2d__growth){&z->close, sizeof *z->close};
     out[n++] = (sph2d__growth){&z->imaged, sizeof *z->imaged};
@@ -201,12 +208,25 @@ static void end_rows(sph2d__system *s)
 #define ZERO(name) z->name[i] = 0;
         SPH2D__FROZEN_ARRAYS(ZERO)
 #undef ZERO
+#define ZERO(name) memset(z->name + 4 * i, 0, 4 * sizeof *z->name);
+        SPH2D__FROZEN_RECORDS(ZERO)
+#undef ZERO
         z->px[i] = z->py[i] = 1e30;
     }
 }
 
 /* By how much particles may become faster during a step. */
 static const double MARGIN = 1.5;
+
+/** What sums read of neighbours. */
+static void keep_state(sph2d__system *s, size_t first, size_t last)
+{
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; ++i) {
+        const float row[4] = {(float)f->vx[i], (float)f->vy[i], (float)f->excess[i], 0};
+        memcpy(s->frozen->state + 4 * i, row, sizeof row);
+    }
+}
 
 static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
@@ -258,11 +278,12 @@ bool sph2d__frozen_gather(sph2d__system *s, const sph2d__sides *sides)
     if (!reserve_walls(s, sides) || !sph2d__images_place(s))
         return false;
     for (;; each = 2 * s->neighbours.each) {
-        if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each) || !reserve(s))
+        if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each, false) || !reserve(s))
             return false;
         s->neighbours.lanes = pass->lanes;
         s->frozen->apart = SPH2D__CLOSE * s->spacing + MARGIN * s->speed * s->step;
         end_rows(s);
+        sph2d__over_particles(s, s->fluid.count, keep_state);
         sph2d__images_start(s);
         if (sph2d__over_fluid(s, gather_slab, NULL).most == 0)
             break;

@@ -119,15 +119,12 @@ static image image_at(const sph2d__frozen *z, size_t k)
     return (image){sph2d__image_of(z, k), sides, sides & (LOW_X | HIGH_X) ? -1 : 1, sides & (LOW_Y | HIGH_Y) ? -1 : 1};
 }
 
-/** Two floats of an image, of those of its particle and their signs. */
-static double with_signs(double pair, double first, double second)
+/** A record of particle `from` as its image has it. */
+static void copy_record(float *records, size_t to, size_t from, double a, double b, double c, double d)
 {
-    float v[2];
-    memcpy(v, &pair, sizeof v);
-    v[0] *= (float)first;
-    v[1] *= (float)second;
-    memcpy(&pair, v, sizeof v);
-    return pair;
+    const float *row = records + 4 * from;
+    const float seen[4] = {(float)a * row[0], (float)b * row[1], (float)c * row[2], (float)d * row[3]};
+    memcpy(records + 4 * to, seen, sizeof seen);
 }
 
 void sph2d__images_start(sph2d__system *s)
@@ -142,6 +139,7 @@ void sph2d__images_start(sph2d__system *s)
         f->vx[i] = m.x * f->vx[m.of];
         f->vy[i] = m.y * f->vy[m.of];
         f->excess[i] = f->excess[m.of];
+        copy_record(z->state, i, m.of, m.x, m.y, 1, 1);
         z->across_x[i] = m.x < 0;
         z->across_y[i] = m.y < 0;
     }
@@ -151,6 +149,9 @@ void sph2d__images_start(sph2d__system *s)
         f->vx[end] = f->vy[end] = f->excess[end] = 0;
 #define ZERO_END(name) z->name[end] = 0;
         SPH2D__FROZEN_ARRAYS(ZERO_END)
+#undef ZERO_END
+#define ZERO_END(name) memset(z->name + 4 * end, 0, 4 * sizeof *z->name);
+        SPH2D__FROZEN_RECORDS(ZERO_END)
 #undef ZERO_END
         z->px[end] = z->py[end] = 1e30;
     }
@@ -162,10 +163,8 @@ static void slopes_of(sph2d__system *s, size_t first, size_t last)
     for (size_t k = first; k < last; ++k) {
         const image m = image_at(z, k);
         const size_t i = z->first_image + k;
-        z->slope_v[i] = with_signs(z->slope_v[m.of], 1, m.x * m.y);
-        z->slope_w[i] = z->slope_w[m.of];
-        z->slope_p[i] = with_signs(z->slope_p[m.of], m.x, m.y);
-        z->walled[i] = z->walled[m.of];
+        copy_record(z->slope, i, m.of, 1, m.x * m.y, 1, 1);
+        copy_record(z->bend, i, m.of, m.x, m.y, 1, 1);
     }
 }
 
@@ -184,9 +183,7 @@ static void velocity_of(sph2d__system *s, size_t first, size_t last)
         const image m = image_at(z, k);
         const size_t i = z->first_image + k;
         place(z, i, m);
-        z->velocity[i] = with_signs(z->velocity[m.of], m.x, m.y);
-        z->zx[i] = m.x * z->zx[m.of];
-        z->zy[i] = m.y * z->zy[m.of];
+        copy_record(z->velocity, i, m.of, m.x, m.y, m.x, m.y);
     }
 }
 
@@ -196,14 +193,18 @@ static void pressure_of(sph2d__system *s, size_t first, size_t last)
     for (size_t k = first; k < last; ++k) {
         const image m = image_at(z, k);
         const size_t i = z->first_image + k;
-        const double both = m.x * m.y;
         place(z, i, m);
-        z->press[i] = with_signs(z->press[m.of], 1, both);
-        z->press_more[i] = z->press_more[m.of];
+        copy_record(z->press, i, m.of, 1, m.x * m.y, 1, 1);
         z->work[i] = z->work[m.of];
-        z->rest[i] = with_signs(z->rest[m.of], m.x, m.y);
-        z->rest_x[i] = with_signs(z->rest_x[m.of], 1, both);
-        z->rest_y[i] = with_signs(z->rest_y[m.of], both, 1);
+    }
+}
+
+static void rest_of(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t k = first; k < last; ++k) {
+        const image m = image_at(z, k);
+        copy_record(z->rest, z->first_image + k, m.of, m.x, m.y, m.x, m.y);
     }
 }
 
@@ -218,4 +219,8 @@ void sph2d__images_of_velocity(sph2d__system *s)
 void sph2d__images_of_pressure(sph2d__system *s)
 {
     sph2d__over_particles(s, s->frozen->images.count, pressure_of);
+}
+void sph2d__images_of_rest(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->frozen->images.count, rest_of);
 }

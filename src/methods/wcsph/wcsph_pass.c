@@ -15,41 +15,40 @@ typedef struct force_sums {
     sph2d__lanes ex, ey; /* P_k G_ik */
 } force_sums;
 
-/** Also sets the sums without images. */
-SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first, force_sums *without)
+/** What is summed up over pairs. */
+typedef struct terms {
+    bool whole;   /* what acts once a step: diffusion and e */
+    bool viscous; /* viscosity */
+    bool walled;  /* pressures' gradients, as some are at walls */
+} terms;
+
+/** Adds the pairs of some slots from k on. Density does not diffuse to images: pressure bends at a side, and would flow. */
+SPH2D__INLINE void add_pairs(const sph2d__system *s, size_t first, size_t k, uint32_t slots, terms with, bool images,
+                             force_sums *to)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
-    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
-    const sph2d__float2 own_v = sph2d__float2_load(z->velocity + first);
-    const sph2d__lanes vx = sph2d__float2_x(own_v), vy = sph2d__float2_y(own_v);
-    const sph2d__lanes theta = sph2d__float2_y(sph2d__float2_load(z->press_more + first));
+    const sph2d__four own = sph2d__four_load(z->velocity + 4 * first);
+    const sph2d__lanes theta = sph2d__four_load(z->press + 4 * first).d;
     const double limiter = SPH2D__LIMITER / s->sound_speed;
     const sph2d__lanes one = sph2d__lanes_all(1);
-    const bool walled = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_WALLED, viscous = s->viscosity > 0;
     const sph2d__lanes own_mu = s->viscosities ? sph2d__lanes_load(s->viscosities + first) : one;
-    const uint32_t own = at->fluid - z->imaged[first / SPH2D__LANES];
-    force_sums sum = {0};
-    for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
-        if (slot == own)
-            *without = sum;
+    force_sums sum = *to;
+    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__LANES) {
         const uint32_t *j = n->index + k;
-        const sph2d__float2 g = sph2d__float2_load(n->gradient + k), linear = sph2d__float2_load(z->linear + k);
-        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g),
-                           inverse = sph2d__lanes_of_floats(z->inverse + k);
-        const sph2d__float2 q = sph2d__float2_gather(z->press, j), more = sph2d__float2_gather(z->press_more, j);
-        const sph2d__float2 v = sph2d__float2_gather(z->velocity, j);
-        const sph2d__lanes qxy = sph2d__float2_y(q);
-        sum.px += sph2d__float2_x(q) * gx + qxy * gy;
-        sum.py += qxy * gx + sph2d__float2_x(more) * gy;
-        const sph2d__lanes w = -inverse * ((vx - sph2d__float2_x(v)) * gx + (vy - sph2d__float2_y(v)) * gy);
-        const sph2d__lanes apart = sph2d__minmod(w, w - sph2d__float2_x(linear));
+        const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
+                           inverse = sph2d__floats_load(z->inverse + k);
+        const sph2d__four q = sph2d__four_gather(z->press, j), v = sph2d__four_gather(z->velocity, j);
+        sum.px += q.a * gx + q.b * gy;
+        sum.py += q.b * gx + q.c * gy;
+        const sph2d__lanes vx = own.a - v.a, vy = own.b - v.b, w = -inverse * (vx * gx + vy * gy);
+        const sph2d__lanes apart = sph2d__minmod(w, w - sph2d__floats_load(z->linear_w + k));
         const sph2d__lanes size = sph2d__lanes_max(apart, -apart);
         const sph2d__lanes brake = sph2d__lanes_min(limiter * size, one) * apart;
         sum.dx += brake * gx;
         sum.dy += brake * gy;
-        if (viscous) {
-            sph2d__lanes rate = w * sph2d__lanes_of_floats(z->distance + k);
+        if (with.viscous) {
+            sph2d__lanes rate = vx * sph2d__floats_load(z->rx + k) + vy * sph2d__floats_load(z->ry + k);
             if (s->viscosities) {
                 const sph2d__lanes mu = sph2d__lanes_gather(s->viscosities, j);
                 rate = rate * sph2d__lanes_where(mu + own_mu, (sph2d__lanes){0}, 2 * mu * own_mu / (mu + own_mu));
@@ -57,21 +56,48 @@ SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first, force_
             sum.vx += rate * gx;
             sum.vy += rate * gy;
         }
-        const sph2d__lanes size_g = (gx * gx + gy * gy) * inverse;
-        const sph2d__float2 rest = sph2d__float2_gather(z->rest, j), rest_x = sph2d__float2_gather(z->rest_x, j),
-                            rest_y = sph2d__float2_gather(z->rest_y, j);
-        sum.rx += sph2d__float2_x(rest) * size_g - sph2d__float2_x(rest_x) * gx - sph2d__float2_y(rest_x) * gy;
-        sum.ry += sph2d__float2_y(rest) * size_g - sph2d__float2_x(rest_y) * gx - sph2d__float2_y(rest_y) * gy;
-        const sph2d__lanes jump = theta - sph2d__float2_y(more);
-        if (slot < own) /* pressure bends at a side, and would flow */
-            sum.diffused += sph2d__minmod(jump, jump - sph2d__float2_y(linear)) * size_g;
-        if (walled) {
+        if (with.whole) {
+            const sph2d__lanes size_g = (gx * gx + gy * gy) * inverse;
+            const sph2d__four rest = sph2d__four_gather(z->rest, j);
+            const sph2d__lanes part = size_g - rest.c * gx - rest.d * gy;
+            sum.rx += rest.a * part;
+            sum.ry += rest.b * part;
+            const sph2d__lanes jump = theta - q.d;
+            if (!images)
+                sum.diffused += sph2d__minmod(jump, jump - sph2d__floats_load(z->linear_theta + k)) * size_g;
+        }
+        if (with.walled) {
             const sph2d__lanes work = sph2d__lanes_gather(z->work, j);
             sum.ex += work * gx;
             sum.ey += work * gy;
         }
     }
+    *to = sum;
+}
+
+/** Sums over the pairs of a slice; `without`: those without images. */
+SPH2D__INLINE force_sums sum_pairs(const sph2d__system *s, size_t first, terms with, force_sums *without)
+{
+    const sph2d__slice *at = &s->neighbours.slices[first / SPH2D__LANES];
+    const uint32_t images = s->frozen->imaged[first / SPH2D__LANES], own = at->fluid - images;
+    force_sums sum = {0};
+    add_pairs(s, first, at->begin, own, with, false, &sum);
+    *without = sum;
+    if (images > 0)
+        add_pairs(s, first, at->begin + (size_t)own * SPH2D__LANES, images, with, true, &sum);
     return sum;
+}
+
+/** The same; most sweeps find neither viscosity nor walls, and have a loop of their own. */
+SPH2D__INLINE force_sums sum_forces(const sph2d__system *s, size_t first, bool whole, force_sums *without)
+{
+    const sph2d__frozen *z = s->frozen;
+    const bool walled = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_WALLED,
+               viscous = s->viscosity > 0 && (whole || z->thick);
+    if (whole)
+        return sum_pairs(s, first, (terms){true, viscous, walled}, without);
+    return viscous || walled ? sum_pairs(s, first, (terms){false, viscous, walled}, without)
+                             : sum_pairs(s, first, (terms){false, false, false}, without);
 }
 
 /** Adds the repulsion of close pairs to dx and dy, over V0 rho0 c0. */
@@ -236,33 +262,46 @@ SPH2D__INLINE void hold(const sph2d__system *s, size_t i, size_t last, vectors v
     *a = (vectors){(1 - held) * a->x, (1 - held) * a->y};
 }
 
+/** The factor of e over m c0, for so many acoustic steps at once [1/m]. No row of r has a larger sum than 2, so that a step
+ *  that takes 1/4 of e takes at most all. */
+SPH2D__INLINE double smoothing(const sph2d__system *s, double steps)
+{
+    const double most = 0.25 / (s->sound_speed * s->frozen->dt), rate = steps * SPH2D__SMOOTHING / s->spacing;
+    return rate < most ? rate : most;
+}
+
+/** The factor of the sums of viscosity, which acts at once for so many acoustic steps or, if it is thick, in each. */
+SPH2D__INLINE double viscosity(const sph2d__system *s, double steps)
+{
+    const double mu = s->viscosities ? 1 : s->viscosity;
+    return (s->frozen->thick ? 1 : steps) * s->mass / s->rest_density * mu * s->central_weight;
+}
+
 /** What r_i takes in e, with the sum of |G| `weight` and that of G `n`. */
 SPH2D__INLINE vectors own_rest(const sph2d__frozen *z, size_t i, sph2d__lanes weight, vectors n)
 {
-    const sph2d__float2 rest = sph2d__float2_load(z->rest + i), rest_x = sph2d__float2_load(z->rest_x + i),
-                        rest_y = sph2d__float2_load(z->rest_y + i);
-    return (vectors){sph2d__float2_x(rest) * weight + sph2d__float2_x(rest_x) * n.x + sph2d__float2_y(rest_x) * n.y,
-                     sph2d__float2_y(rest) * weight + sph2d__float2_x(rest_y) * n.x + sph2d__float2_y(rest_y) * n.y};
+    const sph2d__four rest = sph2d__four_load(z->rest + 4 * i);
+    const sph2d__lanes part = weight + rest.c * n.x + rest.d * n.y;
+    return (vectors){rest.a * part, rest.b * part};
 }
 
 /** By what gravity beyond sides takes away, g_i - g, which it returns, and the sums over images, sides push particles: adds
  *  that to the mean over the step. */
 SPH2D__INLINE vectors push_by_sides(const sph2d__system *s, size_t i, const force_sums *f, const force_sums *without,
-                                    vectors gravity)
+                                    vectors gravity, double once)
 {
     sph2d__frozen *z = s->frozen;
-    const double m = s->mass, strength = m * s->sound_speed, hv = SPH2D__SMOOTHING / s->spacing;
-    const double thick = m / s->rest_density * (s->viscosities ? 1 : s->viscosity) * s->central_weight;
-    const sph2d__float2 q = sph2d__float2_load(z->press + i), more = sph2d__float2_load(z->press_more + i);
-    const sph2d__lanes qxx = sph2d__float2_x(q), qxy = sph2d__float2_y(q), qyy = sph2d__float2_x(more);
+    const double m = s->mass, strength = m * s->sound_speed, hv = smoothing(s, once);
+    const double thick = viscosity(s, once);
+    const sph2d__four q = sph2d__four_load(z->press + 4 * i);
     const vectors turned = {-2 * gravity.x * sph2d__lanes_load(z->across_x + i),
                             -2 * gravity.y * sph2d__lanes_load(z->across_y + i)};
     const vectors n = load(z->image_nx, z->image_ny, i);
     const vectors own = own_rest(z, i, sph2d__lanes_load(z->image_weight + i), n);
     const sph2d__lanes px = strength * (f->dx - without->dx + hv * (f->rx - without->rx - own.x)) +
-                            thick * (f->vx - without->vx) - (f->px - without->px) - (qxx * n.x + qxy * n.y);
+                            thick * (f->vx - without->vx) - (f->px - without->px) - (q.a * n.x + q.b * n.y);
     const sph2d__lanes py = strength * (f->dy - without->dy + hv * (f->ry - without->ry - own.y)) +
-                            thick * (f->vy - without->vy) - (f->py - without->py) - (qxy * n.x + qyy * n.y);
+                            thick * (f->vy - without->vy) - (f->py - without->py) - (q.b * n.x + q.c * n.y);
     sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + z->share * (px / m + turned.x));
     sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + z->share * (py / m + turned.y));
     return turned;
@@ -270,21 +309,20 @@ SPH2D__INLINE vectors push_by_sides(const sph2d__system *s, size_t i, const forc
 
 /** Velocities by the forces of an acoustic step. */
 SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sums *f, const force_sums *without,
-                        sph2d__slab_sum *sum)
+                        double once, sph2d__slab_sum *sum)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *t = &s->fluid;
     const double dt = z->dt, m = s->mass, strength = m * s->sound_speed; /* V0 rho0 c0 */
-    const sph2d__float2 q = sph2d__float2_load(z->press + i), more = sph2d__float2_load(z->press_more + i);
+    const sph2d__four q = sph2d__four_load(z->press + 4 * i);
     const vectors n = load(z->nx, z->ny, i), v = load(t->vx, t->vy, i);
     /* P B as rounded as neighbours see it, so that forces of pairs are opposite. */
-    const sph2d__lanes qxx = sph2d__float2_x(q), qxy = sph2d__float2_y(q), qyy = sph2d__float2_x(more);
-    const double hv = SPH2D__SMOOTHING / s->spacing;
+    const double hv = smoothing(s, once);
     const vectors own = own_rest(z, i, sph2d__lanes_load(z->weight + i), n);
     const vectors d = {strength * (f->dx + hv * (f->rx - own.x)), strength * (f->dy + hv * (f->ry - own.y))};
-    const double thick = m / s->rest_density * (s->viscosities ? 1 : s->viscosity) * s->central_weight;
+    const double thick = viscosity(s, once);
     vectors drag = {thick * f->vx, thick * f->vy};
-    vectors force = {d.x + drag.x - f->px - (qxx * n.x + qxy * n.y), d.y + drag.y - f->py - (qxy * n.x + qyy * n.y)};
+    vectors force = {d.x + drag.x - f->px - (q.a * n.x + q.b * n.y), d.y + drag.y - f->py - (q.b * n.x + q.c * n.y)};
     const bool walls = s->neighbours.slices[i / SPH2D__LANES].walls > 0;
     sph2d__lanes brake = {0}, repel = {0};
     const vectors front = load(z->front_nx, z->front_ny, i);
@@ -301,7 +339,7 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     }
     vectors a = driven, turned = {0};
     if (imaged) {
-        turned = push_by_sides(s, i, f, without, driven);
+        turned = push_by_sides(s, i, f, without, driven, once);
         a = (vectors){a.x + turned.x, a.y + turned.y};
     }
     a = (vectors){a.x + force.x / m, a.y + force.y / m};
@@ -322,28 +360,38 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
                       brake * (dot(load(z->sx, z->sy, i), middle) - 0.5 * sph2d__lanes_load(z->wall_rate + i)));
     add_lanes(&sum->first, work, i, last);
     add_lanes(&sum->second, dt * dot(drag, middle), i, last);
-    sph2d__lanes_store(z->diffused + i, -dt * SPH2D__DIFFUSION * s->sound_speed * f->diffused);
+    sph2d__lanes_store(z->diffused + i, -once * dt * SPH2D__DIFFUSION * s->sound_speed * f->diffused);
     sph2d__lanes_store(t->ax + i, a.x);
     sph2d__lanes_store(t->ay + i, a.y);
     sph2d__lanes_store(t->vx + i, next.x);
     sph2d__lanes_store(t->vy + i, next.y);
-    sph2d__float2_store(z->next_velocity + i, sph2d__float2_of(next.x, next.y));
-    if (!walls)
-        return;
-    sph2d__lanes_store(z->next_zx + i, dot(load(z->cxx, z->cyx, i), next) + sph2d__lanes_load(z->wall_zx + i));
-    sph2d__lanes_store(z->next_zy + i, dot(load(z->cxy, z->cyy, i), next) + sph2d__lanes_load(z->wall_zy + i));
+    const sph2d__lanes none = {0};
+    sph2d__four seen = {next.x, next.y, none, none};
+    if (walls) {
+        seen.c = dot(load(z->cxx, z->cyx, i), next) + sph2d__lanes_load(z->wall_zx + i);
+        seen.d = dot(load(z->cxy, z->cyy, i), next) + sph2d__lanes_load(z->wall_zy + i);
+    }
+    sph2d__four_store(z->next_velocity + 4 * i, seen);
 }
 
-static void force(sph2d__system *s, size_t first, size_t last, sph2d__slab_sum *to)
+SPH2D__INLINE void force_span(sph2d__system *s, size_t first, size_t last, double once, sph2d__slab_sum *to)
 {
     sph2d__slab_sum sum = *to;
     for (size_t i = first; i < last; i += SPH2D__LANES) {
-        force_sums without = {0}, f = sum_forces(s, i, &without);
+        force_sums without = {0}, f = sum_forces(s, i, once > 0, &without);
         if (s->frozen->close[i / SPH2D__LANES] > 0)
             add_repulsion(s, i, &f, &without);
-        kick(s, i, last, &f, &without, &sum);
+        kick(s, i, last, &f, &without, once, &sum);
     }
     *to = sum;
+}
+
+static void force(sph2d__system *s, size_t first, size_t last, double once, sph2d__slab_sum *sum)
+{
+    if (once > 0)
+        force_span(s, first, last, once, sum);
+    else
+        force_span(s, first, last, 0, sum);
 }
 
 /** Sums of a rate of density: (v_i - v_j) G^T, and z_k . G_ik; and (v_i - v_j) |G|. */
@@ -351,31 +399,44 @@ typedef struct rate_sums {
     sph2d__lanes xx, xy, yx, yy, z, x, y;
 } rate_sums;
 
-SPH2D__INLINE rate_sums sum_rates(const sph2d__system *s, size_t first)
+SPH2D__INLINE rate_sums sum_rates(const sph2d__system *s, size_t first, bool rest)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
     const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
-    const sph2d__float2 own_v = sph2d__float2_load(z->velocity + first);
+    const sph2d__four own = sph2d__four_load(z->velocity + 4 * first);
     const bool beside = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_BESIDE;
     rate_sums sum = {0};
     for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
         const uint32_t *j = n->index + k;
-        const sph2d__float2 g = sph2d__float2_load(n->gradient + k);
-        const sph2d__float2 v = own_v - sph2d__float2_gather(z->velocity, j);
-        const sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g);
-        const sph2d__lanes vx = sph2d__float2_x(v), vy = sph2d__float2_y(v);
+        const sph2d__four v = sph2d__four_gather(z->velocity, j);
+        const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k);
+        const sph2d__lanes vx = own.a - v.a, vy = own.b - v.b;
         sum.xx += vx * gx;
         sum.xy += vx * gy;
         sum.yx += vy * gx;
         sum.yy += vy * gy;
-        const sph2d__lanes size = (gx * gx + gy * gy) * sph2d__lanes_of_floats(z->inverse + k);
-        sum.x += vx * size;
-        sum.y += vy * size;
+        if (rest) {
+            const sph2d__lanes size = (gx * gx + gy * gy) * sph2d__floats_load(z->inverse + k);
+            sum.x += vx * size;
+            sum.y += vy * size;
+        }
         if (beside)
-            sum.z += sph2d__lanes_gather(z->zx, j) * gx + sph2d__lanes_gather(z->zy, j) * gy;
+            sum.z += v.c * gx + v.d * gy;
     }
     return sum;
+}
+
+/** r, over sum |G|, and A s. */
+SPH2D__INLINE void keep_rest(sph2d__system *s, size_t i, const rate_sums *r)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__lanes smooth = sph2d__lanes_load(z->smooth + i), weight = sph2d__lanes_load(z->weight + i);
+    const vectors k = load(z->kx, z->ky, i);
+    const sph2d__lanes part = smooth * sph2d__lanes_where(weight, (sph2d__lanes){0}, 1 / weight);
+    const sph2d__lanes rx = part * r->x + smooth * (r->xx * k.x + r->xy * k.y);
+    const sph2d__lanes ry = part * r->y + smooth * (r->yx * k.x + r->yy * k.y);
+    sph2d__four_store(z->rest + 4 * i, (sph2d__four){part * rx, part * ry, weight * k.x, weight * k.y});
 }
 
 /** For how long rates act before diffusion, and after it [s]. */
@@ -393,18 +454,11 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + i), bxy = sph2d__lanes_load(z->bxy + i),
                        byy = sph2d__lanes_load(z->byy + i);
     const vectors v = load(t->vx, t->vy, i), at = load(z->px, z->py, i);
+    const sph2d__four own = sph2d__four_load(z->velocity + 4 * i);
     sph2d__lanes rate = bxx * r->xx + bxy * (r->xy + r->yx) + byy * r->yy + r->z;
     if (s->neighbours.slices[i / SPH2D__LANES].walls > 0)
         rate += 2 * dot(v, load(z->sx, z->sy, i)) - sph2d__lanes_load(z->wall_rate + i) +
-                dot(load(z->zx, z->zy, i), load(z->nx, z->ny, i));
-    const sph2d__lanes smooth = sph2d__lanes_load(z->smooth + i), weight = sph2d__lanes_load(z->weight + i);
-    const vectors k = load(z->kx, z->ky, i);
-    const sph2d__lanes part = smooth * sph2d__lanes_where(weight, (sph2d__lanes){0}, 1 / weight);
-    const sph2d__lanes rx = part * r->x + smooth * (r->xx * k.x + r->xy * k.y);
-    const sph2d__lanes ry = part * r->y + smooth * (r->yx * k.x + r->yy * k.y);
-    sph2d__float2_store(z->rest + i, sph2d__float2_of(part * rx, part * ry));
-    sph2d__float2_store(z->rest_x + i, sph2d__float2_of(smooth * rx * k.x, smooth * rx * k.y));
-    sph2d__float2_store(z->rest_y + i, sph2d__float2_of(smooth * ry * k.x, smooth * ry * k.y));
+                own.c * sph2d__lanes_load(z->nx + i) + own.d * sph2d__lanes_load(z->ny + i);
     sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
     if (z->holds) {
         const sph2d__lanes held = sph2d__lanes_load(z->held + i);
@@ -428,18 +482,28 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     sph2d__lanes_store(z->px + i, at.x + drift * v.x);
     sph2d__lanes_store(z->py + i, at.y + drift * v.y);
     sph2d__lanes_store(z->work + i, work);
-    sph2d__float2_store(z->press + i, sph2d__float2_of(work * bxx, work * bxy));
-    sph2d__float2_store(z->press_more + i, sph2d__float2_of(work * byy, theta));
+    sph2d__four_store(z->press + 4 * i, (sph2d__four){work * bxx, work * bxy, work * byy, theta});
 }
 
-static void rate(sph2d__system *s, size_t first, size_t last, double before, double after, sph2d__slab_sum *to)
+SPH2D__INLINE void rate_span(sph2d__system *s, size_t first, size_t last, times time, bool rest, sph2d__slab_sum *to)
 {
     sph2d__slab_sum sum = *to;
     for (size_t i = first; i < last; i += SPH2D__LANES) {
-        const rate_sums r = sum_rates(s, i);
-        drift(s, i, last, &r, (times){before, after}, &sum);
+        const rate_sums r = sum_rates(s, i, rest);
+        if (rest)
+            keep_rest(s, i, &r);
+        drift(s, i, last, &r, time, &sum);
     }
     *to = sum;
+}
+
+static void rate(sph2d__system *s, size_t first, size_t last, double before, double after, bool rest,
+                 sph2d__slab_sum *sum)
+{
+    if (rest)
+        rate_span(s, first, last, (times){before, after}, true, sum);
+    else
+        rate_span(s, first, last, (times){before, after}, false, sum);
 }
 
 const sph2d__wcsph_pass SPH2D__OF_ISA(sph2d__wcsph) = {.force = force, .rate = rate};
