@@ -127,7 +127,7 @@ typedef struct slope {
     double pressure; /**< bound of its error, in rho g times the depth */
 } slope;
 /* 1.5 times what is measured. The beach's tip goes back by half a spacing; an acute corner has 0.52 rho g H too much. */
-static const slope slopes[] = {{90, 0.11, 0.05}, {60, 0.35, 0.06}, {45, 0.57, 0.1}, {120, 0.32, 0.8}, {0, 0.15, 0.21}};
+static const slope slopes[] = {{90, 0.11, 0.05}, {60, 0.58, 0.06}, {45, 0.57, 0.1}, {120, 0.32, 0.8}, {0, 0.15, 0.21}};
 enum { SLOPES = sizeof slopes / sizeof *slopes };
 
 /** Where the wall is at a height. */

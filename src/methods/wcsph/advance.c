@@ -272,7 +272,8 @@ static void sound(sph2d_sim *sim, double dt)
     const size_t middle = (steps + 1) / 2; /* when what acts once does */
     sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half, middle == 1});
     sph2d__images_of_pressure(s);
-    sph2d__images_of_rest(s);
+    if (middle == 1)
+        sph2d__images_of_rest(s);
     const double before = rates.third;
     sim->record.energy_pressed += rates.first;
     sim->record.energy_fed -= rates.fourth;

@@ -94,11 +94,8 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     const double ax = z->bxx[i] * x + z->bxy[i] * y, ay = z->bxy[i] * x + z->byy[i] * y;
     const double pull = z->mean_ex[i] * dx + z->mean_ey[i] * dy;
     const double nx = z->wall_xx[i] * ax + z->wall_xy[i] * ay, ny = z->wall_xy[i] * ax + z->wall_yy[i] * ay;
-    const sph2d__store *w = &s->walls;
     volatile float rx = (float)dx, ry = (float)dy;
-    const bool before = (double)rx * w->normal_x[b] + (double)ry * w->normal_y[b] > w->depth[b];
-    const double repel =
-        before && z->front_weight[i] > 0 ? z->mean_repelled[i] * sqrt(x * x + y * y) / z->front_weight[i] : 0;
+    const double repel = z->mean_repelled[i] * sph2d__front_share(s, i, b, x, y, (double)rx, (double)ry);
     sph2d_vec2 friction = sph2d__friction_of(s, b, dx, dy);
     if (z->sticks) {
         const sph2d__frozen_stick k = sph2d__frozen_stick_of(s, i, b, x, y, (double)rx, (double)ry);

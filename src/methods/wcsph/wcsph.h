@@ -56,14 +56,13 @@
  *  start or the end angular momentum would be kept to first order only. e takes at most 1/4 of c0/dx times the step, since
  *  no row of r has a larger sum than 2.
  *
- *  Once a step theta is moved towards what the neighbours say, as far as dissipation has paid for it. Their kernel sum
- *  Sigma over that of a lattice is rho s, s the part of the kernel that a surface leaves. Sigma and K = |sum_j G |r|| both
- *  grow as density does: K/Sigma tells how near a surface is, whatever the density, and s is that of a plane so near:
+ *  Once a step theta is moved towards what the neighbours say, as far as dissipation has paid for it (advance.c). Their
+ *  kernel sum Sigma over that of a lattice is rho s, s the part of the kernel that a surface leaves. Sigma and
+ *  K = |sum_j G |r|| both grow as density does: K/Sigma tells how near a surface is, whatever the density, and s is that of
+ *  a plane so near. Surfaces bend, and s is known no better than that Sigma <= rho s <= Sigma/s: density
  *
- *      rho0 Sigma/s is the density, with s = 1 inside
- *      it goes up to rho0 (Sigma + (Sigma/s - Sigma) max(1 - walls/first, 0)): walls that are wet beside a surface hide
- *         how much is cut off; walls: their part of the sum, first: that before a row beside a flat wall
- *      it goes down to rho0 Sigma/s as far as B is M^-1: strings and single particles have no density */
+ *      goes up to rho0 Sigma, and beside a surface to rho0 as far as Sigma/s lets it: there is no tension
+ *      goes down to rho0 Sigma/s as far as B is M^-1: strings and single particles have no density */
 #ifndef SPH2D_METHODS_WCSPH_WCSPH_H
 #define SPH2D_METHODS_WCSPH_WCSPH_H
 
@@ -198,7 +197,6 @@ typedef struct sph2d__frozen {
     size_t row_count, row_capacity;
     double left[SPH2D__FREE_PARTS + 1]; /**< s, by equal steps of K/Sigma from 0 on */
     double nearness;                    /**< the last K/Sigma there: that of a place on a surface */
-    double first_row;                   /**< the part of the kernel that is beyond the first row of a lattice */
     double uneven; /**< the difference of B's eigenvalues there over their sum: no particle has a larger one */
 } sph2d__frozen;
 
@@ -255,6 +253,21 @@ void sph2d__images_of_velocity(sph2d__system *system);
 void sph2d__images_of_pressure(sph2d__system *system);
 void sph2d__images_of_rest(sph2d__system *system);
 void sph2d__frozen_free(sph2d__system *system);
+
+/** The part of boundary particle b, at -r of particle i, in the walls that this is in front of: wcsph_front.h. */
+static inline double sph2d__front_share(const sph2d__system *s, size_t i, size_t b, double gx, double gy, double rx,
+                                        double ry)
+{
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__store *w = &s->walls;
+    const sph2d__sides *d = &z->sides;
+    const bool within = w->x[b] > d->low_x && w->x[b] < d->high_x && w->y[b] > d->low_y && w->y[b] < d->high_y;
+    const bool before = rx * w->normal_x[b] + ry * w->normal_y[b] > w->depth[b];
+    const double along = rx * w->normal_y[b] - ry * w->normal_x[b];
+    return within && before && along * along < s->spacing * s->spacing && z->front_weight[i] > 0
+               ? sqrt(gx * gx + gy * gy) / z->front_weight[i]
+               : 0;
+}
 
 /** Viscosities, friction of walls and surface tension (wcsph_friction.c), once neighbours are known. False when memory
  *  is short. */

@@ -68,8 +68,7 @@ static void add_pair(const sph2d__system *s, sph2d__frozen_row *row, size_t k, s
     const double gx = (double)z->gx[k], gy = (double)z->gy[k], rx = (double)z->rx[k], ry = (double)z->ry[k];
     const double ax = z->bxx[i] * gx + z->bxy[i] * gy, ay = z->bxy[i] * gx + z->byy[i] * gy;
     const double nx = z->wall_xx[i] * ax + z->wall_xy[i] * ay, ny = z->wall_xy[i] * ax + z->wall_yy[i] * ay;
-    const bool before = rx * w->normal_x[b] + ry * w->normal_y[b] > w->depth[b];
-    const double share = before && z->front_weight[i] > 0 ? hypot(gx, gy) / z->front_weight[i] : 0;
+    const double share = sph2d__front_share(s, i, b, gx, gy, rx, ry);
     const double fx = share * z->front_nx[i], fy = share * z->front_ny[i];
     const double repels[3] = {fx, fy, arm_x * fy - arm_y * fx};
     const double turned = arm_x * ay - arm_y * ax;

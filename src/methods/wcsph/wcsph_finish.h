@@ -97,14 +97,14 @@ SPH2D__INLINE sph2d__lanes density_of(sph2d__lanes theta)
     return sum * sum * (sum * sum);
 }
 
-/** What the neighbours say of density that is not so, over rest density: their sum is `sum` over that of a lattice, of
- *  which `filled` is the walls', and a surface leaves `left`; det is that of M. */
-SPH2D__INLINE sph2d__lanes summed_apart(const sph2d__frozen *z, sph2d__lanes density, sph2d__lanes sum,
-                                        sph2d__lanes left, sph2d__lanes filled, sph2d__lanes det)
+/** How far density is from what the neighbours say, over rest density: their sum over that of a lattice is `sum`, of which
+ *  a surface leaves `left`; det is that of M. */
+SPH2D__INLINE sph2d__lanes summed_apart(sph2d__lanes density, sph2d__lanes sum, sph2d__lanes left, sph2d__lanes det)
 {
     const sph2d__lanes none = {0}, full = sum / left;
-    const sph2d__lanes up = sum + (full - sum) * sph2d__lanes_max(1 - filled * (1 / z->first_row), none);
-    return pick(up, density, up - density, clamp(det * (1 / SPH2D__LEAST)) * sph2d__lanes_min(full - density, none));
+    const sph2d__lanes least = sph2d__lanes_max(sum, sph2d__lanes_min(full, sph2d__lanes_all(1)));
+    return sph2d__lanes_max(least - density, none) +
+           clamp(det * (1 / SPH2D__LEAST)) * sph2d__lanes_min(full - density, none);
 }
 
 /* Diffusivity of particles over S H^2, and the largest times the step over H^2. */
@@ -190,8 +190,8 @@ SPH2D__INLINE void finish(const sph2d__system *s, size_t first, const sums *f, c
     const sph2d__lanes kx = all->kx + w->kx, ky = all->ky + w->ky;
     const sph2d__lanes sum = (sph2d__kernel_value_at(kernel, 0) + all->value + w->value) * (1 / s->lattice_values);
     const sph2d__lanes left = s->fills ? one : left_by_surface(z, sph2d__lanes_sqrt(kx * kx + ky * ky) / sum);
-    sph2d__lanes_store(z->summed + first, summed_apart(z, density_of(sph2d__lanes_load(s->fluid.excess + first)), sum,
-                                                       left, filled, det_of(both)));
+    sph2d__lanes_store(z->summed + first,
+                       summed_apart(density_of(sph2d__lanes_load(s->fluid.excess + first)), sum, left, det_of(both)));
     sph2d__lanes_store(z->smooth + first, reach * reach * (3 - 2 * reach));
     sph2d__lanes_store(z->walled + first, walled);
     keep(z->axx, z->axy, z->ayy, first, a);

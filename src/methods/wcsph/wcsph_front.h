@@ -7,6 +7,18 @@
 
 #include "methods/wcsph/wcsph_pair.h"
 
+/** `size` of boundary particles between the sides, 0 of those beyond, which stand for the image of an obstacle: their normals
+ *  are not those of that. */
+SPH2D__INLINE sph2d__lanes within(const sph2d__system *s, const uint32_t *b, sph2d__lanes size)
+{
+    const sph2d__sides *d = &s->frozen->sides;
+    const sph2d__lanes x = sph2d__lanes_gather(s->walls.x, b), y = sph2d__lanes_gather(s->walls.y, b);
+    size = sph2d__lanes_where(x, sph2d__lanes_all(d->low_x), size);
+    size = sph2d__lanes_where(sph2d__lanes_all(d->high_x), x, size);
+    size = sph2d__lanes_where(y, sph2d__lanes_all(d->low_y), size);
+    return sph2d__lanes_where(sph2d__lanes_all(d->high_y), y, size);
+}
+
 /** Q of the walls in slots from k on. In inner corners walls also press across the largest eigenvalue's direction, as far as
  *  liquid presses against them: of the far wall of a corner a particle sees little, so that by normals alone it had a small
  *  part of its force on liquid at rest, and what is in the corner bore the rest, up to 3.7 rho g H. A corner is an inner one
@@ -19,7 +31,6 @@ SPH2D__INLINE symmetric directions_of(const sph2d__system *s, size_t first, size
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
-    const sph2d__sides *d = &z->sides;
     const sph2d__lanes none = {0}, one = sph2d__lanes_all(1);
     symmetric q = {0};
     sph2d__lanes wx = {0}, wy = {0}, weight = {0}, nx_mean = {0}, ny_mean = {0}, x = {0}, y = {0}, bend = {0};
@@ -38,13 +49,7 @@ SPH2D__INLINE symmetric directions_of(const sph2d__system *s, size_t first, size
         const sph2d__lanes depth = sph2d__lanes_gather(s->walls.depth, n->index + k);
         const sph2d__lanes ox = sph2d__lanes_where(size, none, depth * nx - rx),
                            oy = sph2d__lanes_where(size, none, depth * ny - ry);
-        /* beyond a side they stand for the image of an obstacle, which their normals are not those of */
-        const sph2d__lanes bx = sph2d__lanes_gather(s->walls.x, n->index + k),
-                           by = sph2d__lanes_gather(s->walls.y, n->index + k);
-        sph2d__lanes in = sph2d__lanes_where(bx, sph2d__lanes_all(d->low_x), size);
-        in = sph2d__lanes_where(sph2d__lanes_all(d->high_x), bx, in);
-        in = sph2d__lanes_where(by, sph2d__lanes_all(d->low_y), in);
-        in = sph2d__lanes_where(sph2d__lanes_all(d->high_y), by, in);
+        const sph2d__lanes in = within(s, n->index + k, size);
         weight += in;
         nx_mean += in * nx;
         ny_mean += in * ny;
@@ -79,7 +84,8 @@ SPH2D__INLINE symmetric directions_of(const sph2d__system *s, size_t first, size
                        inner * unit * q.yy + more * t.yy + edge * ey * ey};
 }
 
-/** Finds the walls that particles are in front of. */
+/** Finds the walls that particles are in front of: those at their foot, no more than a spacing away, or a sheet would stop
+ *  what falls past its end. */
 SPH2D__INLINE void find_front(const sph2d__system *s, size_t first, size_t k, uint32_t slots)
 {
     const sph2d__store *w = &s->walls;
@@ -89,10 +95,12 @@ SPH2D__INLINE void find_front(const sph2d__system *s, size_t first, size_t k, ui
     for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__LANES) {
         const uint32_t *b = s->neighbours.index + k;
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k);
+        const sph2d__lanes rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
         const sph2d__lanes nx = sph2d__lanes_gather(w->normal_x, b), ny = sph2d__lanes_gather(w->normal_y, b);
-        const sph2d__lanes before =
-            sph2d__floats_load(z->rx + k) * nx + sph2d__floats_load(z->ry + k) * ny - sph2d__lanes_gather(w->depth, b);
-        const sph2d__lanes size = sph2d__lanes_where(before, none, sph2d__lanes_sqrt(gx * gx + gy * gy));
+        const sph2d__lanes before = rx * nx + ry * ny - sph2d__lanes_gather(w->depth, b), along = rx * ny - ry * nx;
+        const sph2d__lanes size =
+            sph2d__lanes_where(sph2d__lanes_all(s->spacing * s->spacing), along * along,
+                               within(s, b, sph2d__lanes_where(before, none, sph2d__lanes_sqrt(gx * gx + gy * gy))));
         weight += size;
         away += sph2d__lanes_where(size, none, size * before);
         x += size * nx;

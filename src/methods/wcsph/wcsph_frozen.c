@@ -74,7 +74,6 @@ static void find_left(const sph2d__system *s, sph2d__frozen *z)
             z->left[entry] = before + (value - before) * (near - z->nearness * entry / SPH2D__FREE_PARTS) / fall;
     }
     z->uneven = uneven_by(row);
-    z->first_row = 1 - row.value;
     for (entry = 0; entry <= SPH2D__FREE_PARTS; ++entry)
         z->left[entry] = 1 - (1 - z->left[entry]) * (1 - row.value) / (1 - row_left);
 }

@@ -173,10 +173,10 @@ SPH2D__INLINE sph2d__lanes add_walls(const sph2d__system *s, size_t i, const for
     return brake;
 }
 
-/** By how much its image in the walls before it repels a particle, along their normal: as a close particle there does, but
- *  not more than stops it, and less where walls are less than the liquid around it. What is before it changes from step to step at edges, so that such a force has no potential: it
- *  gave a splash on two bent sheets 11 % of its energy. */
-SPH2D__INLINE sph2d__lanes repelled(const sph2d__system *s, size_t i, vectors n)
+/** By how much its image in the walls before it repels a particle that would else have velocity v, along their normal: as a
+ *  close particle there does, but not more than stops it. What is before it changes from step to step at edges, so that such
+ *  a force has no potential: it gave a splash on two bent sheets 11 % of its energy. */
+SPH2D__INLINE sph2d__lanes repelled(const sph2d__system *s, size_t i, vectors n, vectors v)
 {
     sph2d__frozen *z = s->frozen;
     const vectors at = load(z->px, z->py, i), middle = load(s->fluid.x, s->fluid.y, i);
@@ -184,12 +184,9 @@ SPH2D__INLINE sph2d__lanes repelled(const sph2d__system *s, size_t i, vectors n)
     const sph2d__lanes apart =
         2 * (sph2d__lanes_load(z->front + i) + (at.x - middle.x) * n.x + (at.y - middle.y) * n.y);
     const sph2d__lanes t = sph2d__lanes_max(1 - unit * apart, (sph2d__lanes){0});
-    const sph2d__lanes away = dot(load(s->fluid.vx, s->fluid.vy, i), n) - sph2d__lanes_load(z->front_speed + i);
+    const sph2d__lanes away = dot(v, n) - sph2d__lanes_load(z->front_speed + i);
     const sph2d__lanes stop = s->mass / z->dt * sph2d__lanes_max(-away, (sph2d__lanes){0});
-    const sph2d__lanes weight = sph2d__lanes_load(z->weight + i), front = sph2d__lanes_load(z->front_weight + i);
-    const sph2d__lanes share = sph2d__lanes_where(weight, front, front / weight) +
-                               (sph2d__lanes_all(1) - sph2d__lanes_where(weight, front, sph2d__lanes_all(1)));
-    const sph2d__lanes push = share * sph2d__lanes_min(s->mass * c * c * SPH2D__REPULSION / s->spacing * t * t, stop);
+    const sph2d__lanes push = sph2d__lanes_min(s->mass * c * c * SPH2D__REPULSION / s->spacing * t * t, stop);
     sph2d__lanes_store(z->repelled + i, push);
     sph2d__lanes_store(z->mean_repelled + i, sph2d__lanes_load(z->mean_repelled + i) + z->share * push);
     return push;
@@ -326,11 +323,8 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     const bool walls = s->neighbours.slices[i / SPH2D__LANES].walls > 0;
     sph2d__lanes brake = {0}, repel = {0};
     const vectors front = load(z->front_nx, z->front_ny, i);
-    if (walls) {
+    if (walls)
         brake = add_walls(s, i, f, &force);
-        repel = repelled(s, i, front);
-        force = (vectors){force.x + repel * front.x, force.y + repel * front.y};
-    }
     const bool imaged = z->imaged[i / SPH2D__LANES] > 0;
     vectors driven = fall(s, i, v);
     if (s->body.frame.moves) { /* Coriolis' force by the velocity in the middle: of second order, and without work */
@@ -345,6 +339,10 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     a = (vectors){a.x + force.x / m, a.y + force.y / m};
     if (z->pulls)
         a = (vectors){a.x + sph2d__lanes_load(z->pull_x + i), a.y + sph2d__lanes_load(z->pull_y + i)};
+    if (walls) {
+        repel = repelled(s, i, front, (vectors){v.x + dt * a.x, v.y + dt * a.y});
+        a = (vectors){a.x + repel * front.x / m, a.y + repel * front.y / m};
+    }
     if (z->rubs || z->sticks)
         rub(s, i, v, &a, &drag);
     if (z->holds)
