@@ -40,6 +40,7 @@
     X(hybrid)                                                                                                          \
     X(variational)                                                                                                     \
     X(variational_loads)                                                                                               \
+    X(variational_walls) \
     X(solvers)                                                                                                         \
     X(rest)                                                                                                            \
     X(impacts)                                                                                                         \

@@ -39,7 +39,7 @@ START_TEST(a_tank_drains_as_torricelli_says)
 {
     /* Torricelli: v = sqrt(2 g h/(1 - (a/A)^2)), with the head down to the end of the duct, three spacings below the side.
      * A duct that liquid fills has all of that; where the stream comes off the edges it is as little as 0.61. Known
-     * weakness: it is 0.52, edges hold liquid that turns around them. */
+     * weakness: it is 0.54 with these eight spacings across, and 0.68 and 0.60 with half and a quarter of the spacing. */
     lay_tank(0.6);
     channel.openings[0].side = SPH2D_SIDE_NAME_BOTTOM;
     channel.openings[0].from = 0.4;
@@ -55,7 +55,7 @@ START_TEST(a_tank_drains_as_torricelli_says)
         rate += time > 0.3 ? -dt * channel_read(0).velocity : 0;
     }
     ck_assert_double_gt(past, 0.29);
-    ck_assert_double_ge(rate / wanted, 0.51);
+    ck_assert_double_ge(rate / wanted, 0.52);
     ck_assert_double_le(rate / wanted, 1);
     sph2d_summary s = sph2d_sim_summary(channel.sim);
     ck_assert_double_le(fabs(s.energy_error), 0.03 * s.energy_scale);
@@ -182,7 +182,7 @@ START_TEST(no_void_stays_behind_a_corner)
 END_TEST
 
 /* Liquid at rest under a pressure presses on a box on the floor by that pressure, and by nothing that keeps particles
- * together; but for the edges, where pairs have 4 % less, of that, too. */
+ * together. */
 START_TEST(a_box_on_the_floor_feels_the_pressure)
 {
     const double pressure = 400;
@@ -201,14 +201,19 @@ START_TEST(a_box_on_the_floor_feels_the_pressure)
     channel.probes[0].kind = SPH2D_PROBE_FORCE;
     channel.probes[0].on = "box";
     channel_start();
-    channel_run_until(3);
-    double v[SPH2D_PROBE_MAX_COLUMNS];
-    sph2d_sample above;
-    ck_assert(sph2d_sim_sample(channel.sim, (sph2d_vec2){0.5, 0.2}, &above));
-    ck_assert_double_le(fabs(above.pressure - pressure), 0.4 * pressure); /* sound still comes and goes */
-    ck_assert_uint_eq(sph2d_sim_probe(channel.sim, 0, v), 12);
-    ck_assert_double_le(fabs(v[0]), 0.01 * pressure * 0.2);
-    ck_assert_double_le(fabs(v[1] / (above.pressure * 0.2) + 1), _i ? 0.01 : 0.25);
+    double v[SPH2D_PROBE_MAX_COLUMNS], mean = 0, force = 0;
+    const int count = 50;
+    for (int k = 1; k <= count; ++k) { /* sound still comes and goes, by 95 Pa */
+        sph2d_sample above;
+        channel_run_until(2 + 1.0 * k / count);
+        ck_assert(sph2d_sim_sample(channel.sim, (sph2d_vec2){0.5, 0.2}, &above));
+        ck_assert_uint_eq(sph2d_sim_probe(channel.sim, 0, v), 12);
+        ck_assert_double_le(fabs(v[0]), 0.01 * pressure * 0.2);
+        mean += above.pressure / count;
+        force += v[1] / count;
+    }
+    ck_assert_double_le(fabs(mean - pressure), (_i ? 0.03 : 0.15) * pressure); /* 394 and 451 Pa are measured */
+    ck_assert_double_le(fabs(force / (pressure * 0.2) + 1), _i ? 0.03 : 0.08); /* 394 and 378 Pa */
     channel_finish();
 }
 END_TEST

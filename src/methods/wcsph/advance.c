@@ -121,6 +121,7 @@ static void start_slab(sph2d__system *s, size_t first, size_t last)
     for (size_t i = first; i < last; ++i) {
         start_motion(s, i);
         z->diffused[i] = 0;
+        z->acts[i] = 1;
         z->px[i] = f->next_x[i];
         z->py[i] = f->next_y[i];
     }

@@ -17,11 +17,14 @@
  *             n_b the wall's normal: walls are smooth, n n^T if flat or a slit; in inner corners its other eigenvalue is as
  *             much as balances the liquid's N_i, at most that eigenvalue of the sum over |sum_b B_i G_ib|; around edges
  *             Q_i = g g^T/g^2, g = sum_b G_ib, with as much of it across the largest eigenvalue's direction as balances N_i
+ *             Where a particle's foot is beyond the end of a wall, by a part 1 - c of a spacing, that part of Q_i is
+ *             sum_d beta_d d d^T, d the axes of Q_i and beta_d what of d . sum_b B_i G_ib balances N_i, and C_i has the
+ *             part c + (1 - c) min beta_d: a jet that leaves a duct has N_i across it alone, and leaves no wall
  *      rate of theta
- *      D_i  = sum_j (v_i - v_j) . B_i G_ij + 2 v_i . S_i - q_i + z_i . N_i + sum_k z_k . G_ik
+ *      D_i  = sum_j (v_i - v_j) . B_i G_ij + a_i (2 v_i . S_i - q_i) + z_i . N_i + sum_k z_k . G_ik
  *             q_i = 2 sum_b v_b . Q_i B_i G_ib;  z_i = C_i^T v_i - A_i sum_b (v_b . B_i G_ib) r_ib
  *      force
- *      f_i  = -sum_j (P_i B_i + P_j B_j) G_ij - (2 P_i + l_i) S_i + C_i sum_k (P_k - P_i) G_ik + d_i + e_i + m g_i
+ *      f_i  = -sum_j (P_i B_i + P_j B_j) G_ij - (2 a_i P_i + l_i) S_i + C_i sum_k (P_k - P_i) G_ik + d_i + e_i + m g_i
  *
  *  The domain's sides are mirrors. What is nearer to one than H has an image in it, and in corners one in both: with T
  *  the reflection, a particle at T x with T v, T B T and theta, which j, k and the liquid's own sums above include. So
@@ -33,7 +36,13 @@
  *  diffuses between particles alone, because of the bend.
  *
  *  Boundary particles stand for obstacles. Their pressure is that of the liquid before them, continued by its gradient
- *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z. Dissipation acts where velocities and
+ *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z.
+ *
+ *  Walls do not hold a film by tension: a_i is 0 where A_i is not F_i^-1, so that C_i is 0, while theta_i is below 0, else 1,
+ *  and 1 in liquid without a surface. As it changes in the middle between two kicks, in rate and force at once, all is
+ *  accounted for.
+ *
+ *  Dissipation acts where velocities and
  *  pressures are not linear:
  *
  *      d_i  = V0 rho0 c0 sum_j b s G_ij,  w = v_ij . e,  s = minmod(w, w - e . (grad v_i + grad v_j)/2 . r),
@@ -112,7 +121,8 @@ static inline double sph2d__density_ratio(double theta)
     X(withheld_x) X(withheld_y)      /* the acceleration that they would have [m/s^2] */                               \
     X(held_excess)                   /* their theta before it was prescribed anew */                                   \
     X(px) X(py)                      /* where particles are now [m] */                                                 \
-    X(mean_work) X(mean_ex) X(mean_ey) /* over the step: 2 P + l, and A sum (P_k - P_i) G_ik */                        \
+    X(acts)                          /* a */                                                                           \
+    X(mean_work) X(mean_ex) X(mean_ey) /* over the step: 2 a P + l, and A sum (P_k - P_i) G_ik */                      \
     X(across_x) X(across_y)          /* w; of images: 1 for the directions in which a side is between */               \
     X(image_nx) X(image_ny)          /* the part of N by images */                                                     \
     X(image_weight)                  /* and of sum |G| */                                                              \

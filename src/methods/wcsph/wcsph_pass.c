@@ -160,7 +160,8 @@ SPH2D__INLINE sph2d__lanes add_walls(const sph2d__system *s, size_t i, const for
     const sph2d__lanes w = sph2d__lanes_where(size, none, to / size);
     const sph2d__lanes apart = sph2d__lanes_max(sph2d__minmod(w, w - sph2d__lanes_load(z->wall_linear + i)), none);
     const sph2d__lanes brake = s->mass * c * sph2d__lanes_min(SPH2D__LIMITER / c * apart, sph2d__lanes_all(1)) * apart;
-    const sph2d__lanes press = 2 * p + brake, walled = sph2d__lanes_load(z->walled + i);
+    const sph2d__lanes press = 2 * sph2d__lanes_load(z->acts + i) * p + brake,
+                       walled = sph2d__lanes_load(z->walled + i);
     const vectors e = {f->ex - p * sph2d__lanes_load(z->nx + i), f->ey - p * sph2d__lanes_load(z->ny + i)};
     force->x += dot(load(z->cxx, z->cxy, i), e) - press * wall.x;
     force->y += dot(load(z->cyx, z->cyy, i), e) - press * wall.y;
@@ -442,6 +443,35 @@ typedef struct times {
     double before, after;
 } times;
 
+/** a, with the logarithm of density theta: 0 in films under tension, which no wall holds. */
+SPH2D__INLINE sph2d__lanes acts_at(const sph2d__system *s, size_t i, sph2d__lanes theta)
+{
+    const sph2d__lanes none = {0}, one = sph2d__lanes_all(1);
+    if (s->fills)
+        return one;
+    return sph2d__lanes_max(sph2d__lanes_where(theta, none, one),
+                            sph2d__lanes_where(sph2d__lanes_load(s->frozen->walled + i), none, one));
+}
+
+/** D before walls begin or cease to act, and after it. */
+typedef struct wall_rates {
+    sph2d__lanes before, after;
+} wall_rates;
+
+/** Adds what walls do to D, `liquid`, over `time` as they acted so far. */
+SPH2D__INLINE wall_rates add_wall_rate(sph2d__system *s, size_t i, vectors v, double time, sph2d__lanes liquid)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__four own = sph2d__four_load(z->velocity + 4 * i);
+    const sph2d__lanes by = 2 * dot(v, load(z->sx, z->sy, i)) - sph2d__lanes_load(z->wall_rate + i);
+    liquid += own.c * sph2d__lanes_load(z->nx + i) + own.d * sph2d__lanes_load(z->ny + i);
+    wall_rates d = {.before = liquid + sph2d__lanes_load(z->acts + i) * by};
+    const sph2d__lanes acts = acts_at(s, i, sph2d__lanes_load(s->fluid.excess + i) + time * d.before);
+    sph2d__lanes_store(z->acts + i, acts);
+    d.after = liquid + acts * by;
+    return d;
+}
+
 /** The logarithm of density by its rate and diffusion, then P. */
 SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sums *r, times time, sph2d__slab_sum *sum)
 {
@@ -452,26 +482,30 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + i), bxy = sph2d__lanes_load(z->bxy + i),
                        byy = sph2d__lanes_load(z->byy + i);
     const vectors v = load(t->vx, t->vy, i), at = load(z->px, z->py, i);
-    const sph2d__four own = sph2d__four_load(z->velocity + 4 * i);
-    sph2d__lanes rate = bxx * r->xx + bxy * (r->xy + r->yx) + byy * r->yy + r->z;
+    const sph2d__lanes liquid = bxx * r->xx + bxy * (r->xy + r->yx) + byy * r->yy + r->z;
+    wall_rates d = {liquid, liquid};
     if (s->neighbours.slices[i / SPH2D__LANES].walls > 0)
-        rate += 2 * dot(v, load(z->sx, z->sy, i)) - sph2d__lanes_load(z->wall_rate + i) +
-                own.c * sph2d__lanes_load(z->nx + i) + own.d * sph2d__lanes_load(z->ny + i);
+        d = add_wall_rate(s, i, v, time.before, liquid);
     sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
     if (z->holds) {
         const sph2d__lanes held = sph2d__lanes_load(z->held + i);
         const sph2d__lanes now = sph2d__lanes_load(t->excess + i), old = sph2d__lanes_load(z->held_excess + i);
-        add_lanes(&sum->fourth, stiffness * held * (rate * (time.before * old + time.after * now) + change * now), i,
+        add_lanes(&sum->fourth,
+                  stiffness * held * (time.before * d.before * old + time.after * d.after * now + change * now), i,
                   last);
         sph2d__lanes_store(z->held_excess + i, now);
-        rate = (1 - held) * rate;
+        d = (wall_rates){(1 - held) * d.before, (1 - held) * d.after};
         change = (1 - held) * change;
     }
-    const sph2d__lanes before = sph2d__lanes_load(t->excess + i) + time.before * rate;
+    const sph2d__lanes rate = d.after;
+    const sph2d__lanes before = sph2d__lanes_load(t->excess + i) + time.before * d.before;
     const sph2d__lanes damping = sph2d__lanes_load(z->damping + i), damped = damping * rate;
     const sph2d__lanes theta = before + change + time.after * rate;
     const sph2d__lanes work = stiffness * theta + damped;
-    add_lanes(&sum->first, damping * sph2d__lanes_load(z->rate + i) * time.before * rate + time.after * damped * rate,
+    const double kept = time.before > 0 ? stiffness * z->dt * z->dt / 8 : 0; /* of D^2 in what a kick keeps */
+    add_lanes(&sum->first,
+              damping * sph2d__lanes_load(z->rate + i) * time.before * d.before + time.after * damped * rate +
+                  kept * (rate * rate - d.before * d.before),
               i, last);
     sph2d__lanes_store(z->rate + i, rate);
     add_lanes(&sum->second, stiffness * change * (before + 0.5 * change), i, last);
