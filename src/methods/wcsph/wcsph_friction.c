@@ -103,18 +103,22 @@ static slopes slopes_at_walls(const sph2d__system *s, size_t i)
                   alone.yx * xy + alone.yy * yy};
     const sph2d__slice *at = &n->slices[i / n->lanes];
     size_t k = at->begin + (size_t)at->fluid * n->lanes + i % n->lanes;
+    bool sticks = false;
     for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->lanes) {
         const size_t b = n->index[k];
         const double gx = (double)z->gx[k], gy = (double)z->gy[k], x = (double)z->rx[k], y = (double)z->ry[k];
         const double stick = b < w->count && (gx != 0 || gy != 0) ? sph2d__stick(s, b, x, y) : 0;
         if (!(stick > 0))
             continue;
+        sticks = true;
         const sph2d_vec2 jump = sph2d__stick_jump(s, b, stick, x, y, f->vx[i] - w->vx[b], f->vy[i] - w->vy[b]);
         xx -= x * gx; /* G points to b, which is at -(x, y) */
         xy -= (x * gy + y * gx) / 2;
         yy -= y * gy;
         sum = (slopes){sum.xx - jump.x * gx, sum.xy - jump.x * gy, sum.yx - jump.y * gx, sum.yy - jump.y * gy};
     }
+    if (!sticks) /* lists are as long as those of other particles in the slice, which depends on the lanes */
+        return alone;
     const double all = xx * yy - xy * xy;
     return (slopes){(sum.xx * yy - sum.xy * xy) / all, (sum.xy * xx - sum.xx * xy) / all,
                     (sum.yx * yy - sum.yy * xy) / all, (sum.yy * xx - sum.yx * xy) / all};
