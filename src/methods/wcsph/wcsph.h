@@ -38,12 +38,11 @@
  *  Boundary particles stand for obstacles. Their pressure is that of the liquid before them, continued by its gradient
  *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z.
  *
- *  Walls do not hold a film by tension: a_i is 0 where A_i is not F_i^-1, so that C_i is 0, while theta_i is below 0, else 1,
- *  and 1 in liquid without a surface. As it changes in the middle between two kicks, in rate and force at once, all is
- *  accounted for.
+ *  Walls do not hold by tension what has no C_i: films, where A_i is not F_i^-1, and what is past the end of a wall. a_i is 0
+ *  there while theta_i is below 0, else 1, and 1 in liquid without a surface. As it changes in the middle between two kicks,
+ *  in rate and force at once, all is accounted for.
  *
- *  Dissipation acts where velocities and
- *  pressures are not linear:
+ *  Dissipation acts where velocities and pressures are not linear:
  *
  *      d_i  = V0 rho0 c0 sum_j b s G_ij,  w = v_ij . e,  s = minmod(w, w - e . (grad v_i + grad v_j)/2 . r),
  *             b = min(3 |s|/c0, 1)       the limiter of Zhang, Hu & Adams 2017, J. Comput. Phys. 335, 605-620
