@@ -379,6 +379,32 @@ static void check_capillarity(sph2d__checker *c)
         sqrt(2 * derived.capillary_head / m.max_compression));
 }
 
+/** Warns of gravity along a period, which friction alone stops: by the end it makes the liquid faster than what the sound
+ *  speed is chosen for. */
+static void check_endless_fall(sph2d__checker *c)
+{
+    const sph2d_scene *s = c->scene;
+    sph2d_method_options m = sph2d__method_resolve(s->method);
+    if (c->errors > 0 || m.sound_speed > 0 || m.stiffness > 0 || !sph2d__method_row_of(&m)->has_sound)
+        return;
+    const double width = s->domain.max.x - s->domain.min.x, height = s->domain.max.y - s->domain.min.y;
+    const double gx = sph2d__period_x(s) > 0 ? fabs(s->gravity.x) : 0,
+                 gy = sph2d__period_y(s) > 0 ? fabs(s->gravity.y) : 0, g = hypot(gx, gy);
+    const double across = gx > gy ? height : width, nu = s->fluid.dynamic_viscosity / s->fluid.density;
+    const double speed = fmin(g * s->run.until, nu > 0 ? g * across * across / (8 * nu) : INFINITY);
+    const sph2d__derived d = sph2d__scene_derive(s);
+    const double made_for = sqrt(2 * (d.head + d.capillary_head));
+    if (!(speed > made_for))
+        return;
+    sph2d_diagnostic *of =
+        sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE, "gravity",
+                         "along a period nothing but friction stops the liquid: it may reach %.3g m/s, and "
+                         "the sound speed, %.3g m/s, is for %.3g m/s",
+                         speed, d.sound_speed, made_for);
+    sph2d_diagnostic_hint(of, "`gravity: [%g, %g]`, a shorter run, or `method: {sound_speed: %.2g}`",
+                          gx > 0 ? 0 : s->gravity.x, gy > 0 ? 0 : s->gravity.y, d.sound_speed * speed / made_for);
+}
+
 /** Reports a wall form that the method does not have. */
 static void check_form(sph2d__checker *c, const char *path, sph2d_wall_form form)
 {
@@ -479,6 +505,7 @@ void sph2d__check_method(sph2d__checker *c)
     check_block_spacings(c);
     check_sound_speed(c);
     check_capillarity(c);
+    check_endless_fall(c);
     check_walls(c);
     check_filled_domain(c);
     sph2d_boundary b = c->scene->boundary;

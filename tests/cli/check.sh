@@ -110,6 +110,19 @@ expect 0 "$SPH2D" check drop.yaml && says 'fluid.surface_tension: it compresses 
     prints '^  *2.5 % by surface tension'
 expect 0 "$SPH2D" check drop.yaml -s spacing=5e-5 && silent && prints '^  *0.625 % by surface tension'
 
+# Along a period nothing stops what gravity accelerates; a layer that its walls hold flows as fast as they let it.
+cat >fall.yaml <<END
+domain: {min: [0, 0], max: [0.1, 0.1]}
+boundary: {left: periodic, right: periodic, bottom: periodic, top: periodic}
+spacing: 0.005
+blocks: [{box: {min: [0, 0], max: [0.1, 0.1]}}]
+fluid: {dynamic_viscosity: 0}
+run: {until: 1}
+END
+expect 0 "$SPH2D" check fall.yaml && says 'gravity: along a period nothing but friction stops the liquid: it may reach 9.81 m/s'
+expect 0 "$SPH2D" check fall.yaml -s 'gravity=[0, 0]' -s 'blocks[0].velocity=[1, 0]' && silent
+expect 0 "$SPH2D" check fall.yaml -s fluid.dynamic_viscosity=100 && silent
+
 # Particles that a blow throws out in the first millionth of a run are not taken to leave like that to its end: each of
 # its steps computes hundreds of them.
 cat >blow.yaml <<END

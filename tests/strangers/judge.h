@@ -56,6 +56,8 @@ typedef struct library_run {
     sph2d_summary summary;
 } library_run;
 
+/** Whether `check` warns that gravity along a period makes the liquid too fast. */
+bool foretells_fall(const char *messages);
 /** Compares what `check` told, its numbers as a line of JSON and its messages, with what the run found. */
 void judge_plan(const char *told, const char *messages, const sph2d_sim *sim, const library_run *run, verdict *v);
 /** The first number with that key in a text of JSON; NaN without one. */
