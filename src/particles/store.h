@@ -46,8 +46,8 @@ enum { SPH2D__PADDING = 16 };
     X(drag)     /* friction of a smooth wall over the sum of kernel weights: friction.h */                             \
     X(excess)   /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3]; with \
                         * variational operators the logarithm of density over rest density */       \
-    X(repulsion)       /* of close pairs, a particle's part of their potential energy [J/kg]: wcsph.h */               \
-    X(push)            /* D' times the pressures or the search direction: two floats, lanes.h */                       \
+    X(stored)   /* a particle's energy of close pairs and beside sides [J/kg]: wcsph.h */                              \
+    X(push)     /* D' times the pressures or the search direction: two floats, lanes.h */                              \
     X(acting_pressure) /* by which pairs act where another is reported [Pa]: muller.h, projection.h */                 \
     X(next_x)          /* position predicted by a pressure solver */                                                   \
     X(next_y)                                                                                                          \

@@ -125,14 +125,22 @@ static sph2d_status allocate_arrays(sph2d_sim *sim)
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
+/** Sets what a method needs that depends on the scene alone. */
+static sph2d_status prepare(sph2d_sim *sim)
+{
+    sim->method->prepare(&sim->system);
+    return !sim->method->set_sides || sim->method->set_sides(sim) ? SPH2D_OK : SPH2D_NOMEM;
+}
+
 /** Places the fluid of a new simulation and evaluates its first forces and extremes. */
 static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
 {
     sph2d_status status = sph2d__sim_place_fluid(sim, report);
     if (status != SPH2D_OK)
         return status;
-    sim->method->prepare(&sim->system);
-    status = sph2d__sim_update_forcing(sim, 0);
+    status = prepare(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_update_forcing(sim, 0);
     if (status != SPH2D_OK)
         return status;
     if (sim->system.fluid.filling)
@@ -159,8 +167,9 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
 /** Continues from a state, which contains density, pressure and acceleration. */
 static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report)
 {
-    sim->method->prepare(&sim->system);
-    sph2d_status status = sph2d__sim_load(sim, state, report);
+    sph2d_status status = prepare(sim);
+    if (status == SPH2D_OK)
+        status = sph2d__sim_load(sim, state, report);
     if (status != SPH2D_OK)
         return status;
     if (!sph2d__rheology_set(&sim->system))

@@ -31,6 +31,8 @@ typedef struct sph2d__method {
     sph2d__set (*unused)(const sph2d_method_options *options);
     /** Sets what depends on the scene's parameters and the walls alone. */
     void (*prepare)(sph2d__system *system);
+    /** After it, sets what depends on the scene's sides. False when memory is short. NULL: nothing does. */
+    bool (*set_sides)(sph2d_sim *sim);
     /** Sets what depends on the positions of the boundary particles, whose cells are up to date; called when some have
      *  moved. NULL: nothing does. */
     void (*walls_placed)(sph2d__system *system);

@@ -158,8 +158,9 @@ static double shortest(double d, double length)
     return !(length > 0) ? d : d > length / 2 ? d - length : d < -length / 2 ? d + length : d;
 }
 
-/** Potential energy of a particle's part of the pairs that repel each other, where it is now [J/kg]. */
-static double close_energy(const sph2d__system *s, size_t i)
+/** Potential energy of a particle's part of the pairs that repel each other, and of what gravity lacks beside sides, where
+ *  it is now [J/kg]. */
+static double stored_energy(const sph2d__system *s, size_t i)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
@@ -174,38 +175,30 @@ static double close_energy(const sph2d__system *s, size_t i)
         const double t = fmax(1 - sqrt(dx * dx + dy * dy) / near, 0);
         sum += t * t * t;
     }
-    return SPH2D__REPULSION * c2 * SPH2D__CLOSE / 6 * sum;
+    return SPH2D__REPULSION * c2 * SPH2D__CLOSE / 6 * sum + sph2d__side_energy(s, z->px[i], z->py[i]);
 }
 
-/** Sums up the energy of close pairs at the start of a step [J/kg], and by how much it is other than at the end of the last
- *  one: particles are new. */
-static void meet_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+/** Keeps the energy stored, and sums up by how much it is other than before [J/kg]: in a step, or since the last one, when
+ *  particles are new or gravity is another. */
+static void store_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i) {
-        const double energy = close_energy(s, i);
-        sum->first += energy - s->fluid.repulsion[i];
-        s->fluid.repulsion[i] = energy;
+        const double energy = stored_energy(s, i);
+        sum->first += energy - s->fluid.stored[i];
+        s->fluid.stored[i] = energy;
     }
 }
 
-/** What is read from outside; sums up the change of the energy of close pairs [J/kg]. */
-static void report_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+/** What is read from outside. */
+static void report(sph2d__system *s, size_t first, size_t last)
 {
     const sph2d__store *f = &s->fluid;
     const double c2 = s->sound_speed * s->sound_speed;
-    for (size_t i = slab->first; i < slab->last; ++i) {
+    for (size_t i = first; i < last; ++i) {
         f->density[i] = s->rest_density * sph2d__density_ratio(f->excess[i]);
         f->pressure[i] = f->density[i] * c2 * f->excess[i];
     }
-    meet_slab(s, slab, with, sum);
-}
-
-/** Densities and pressures, and the energy of close pairs, which is not dissipated. */
-static void report(sph2d_sim *sim)
-{
-    sph2d__system *s = &sim->system;
-    sim->record.energy_pressed -= s->mass * sph2d__over_fluid(s, report_slab, NULL).first;
 }
 
 /** The external force, before what acoustic steps add. */
@@ -269,7 +262,7 @@ static void sound(sph2d_sim *sim, double dt)
     start_external(s);
     const double half = z->dt / 2;
     sph2d__images_of_velocity(s);
-    sim->record.energy_fed += s->mass * sph2d__over_fluid(s, meet_slab, NULL).first;
+    sim->record.energy_fed += s->mass * sph2d__over_fluid(s, store_slab, NULL).first;
     const size_t middle = (steps + 1) / 2; /* when what acts once does */
     sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half, middle == 1});
     sph2d__images_of_pressure(s);
@@ -305,6 +298,7 @@ static void sound(sph2d_sim *sim, double dt)
     }
     sim->record.energy_pressed +=
         s->mass * s->sound_speed * s->sound_speed * z->dt * z->dt / 8 * (before - rates.third);
+    sim->record.energy_pressed -= s->mass * sph2d__over_fluid(s, store_slab, NULL).first; /* is not dissipated */
 }
 
 /** Finds the particles in reservoirs of openings. What is prescribed is all that is known of them: no sum adds to it. */
@@ -350,6 +344,12 @@ static sph2d__sides mirrors_of(const sph2d_sim *sim)
                                                    : 0};
 }
 
+bool sph2d__wcsph_set_sides(sph2d_sim *sim)
+{
+    const sph2d__sides sides = mirrors_of(sim);
+    return sph2d__frozen_start(&sim->system, &sides);
+}
+
 sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
@@ -362,8 +362,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
     if (status != SPH2D_OK)
         return status;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SEARCH);
-    const sph2d__sides sides = mirrors_of(sim);
-    if (!sph2d__frozen_gather(s, &sides))
+    if (!sph2d__frozen_gather(s))
         return SPH2D_NOMEM;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
     hold(sim);
@@ -375,7 +374,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
     const double before = dissipated(sim);
     sound(sim, dt);
     relax(sim, dt, dissipated(sim) - before);
-    report(sim);
+    sph2d__over_particles(s, s->fluid.count, report);
     sph2d__sim_set_drift_interval(sim, start, middle); /* torques about what boundary particles were placed about */
     sph2d__loads_find(sim, 1);
     status = push_bodies(sim, dt);

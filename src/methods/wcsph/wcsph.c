@@ -34,7 +34,7 @@ static void prepare(sph2d__system *s)
 /** When walls have moved. */
 static void walls_placed(sph2d__system *s)
 {
-    if (s->frozen)
+    if (s->frozen && s->frozen->walls > 0)
         sph2d__wall_parts_find(s);
 }
 
@@ -61,6 +61,7 @@ static void start(sph2d__system *s, size_t first, size_t last)
     const sph2d__store *f = &s->fluid;
     for (size_t i = first; i < last; ++i) {
         take_density(s, i);
+        f->stored[i] = sph2d__side_energy(s, f->x[i], f->y[i]);
         f->ax[i] = f->ay[i] = 0;
         sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &f->ax[i], &f->ay[i]);
     }
@@ -76,14 +77,14 @@ static bool evaluate(sph2d__system *s)
 static double elastic(const sph2d__system *s, size_t i, bool stepped)
 {
     (void)stepped;
-    return s->sound_speed * s->sound_speed * s->fluid.excess[i] * s->fluid.excess[i] / 2 + s->fluid.repulsion[i];
+    return s->sound_speed * s->sound_speed * s->fluid.excess[i] * s->fluid.excess[i] / 2 + s->fluid.stored[i];
 }
 
 /** By the means over the step, at the places of its middle. */
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     const sph2d__frozen *z = s->frozen;
-    if (!z) /* at the start */
+    if (!z->capacity) /* at the start */
         return (sph2d__wall_force){0};
     const double h2 = s->support * s->support;
     const double weight =
@@ -176,16 +177,17 @@ const sph2d__method sph2d__wcsph = {
     .name = "wcsph",
     .step = sph2d__wcsph_step,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |
-             SPH2D__BIT(excess) | SPH2D__BIT(repulsion) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |
-             SPH2D__BIT(stretch) | SPH2D__BIT(shear),
+             SPH2D__BIT(excess) | SPH2D__BIT(stored) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) | SPH2D__BIT(stretch) |
+             SPH2D__BIT(shear),
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |
-               SPH2D__BIT(excess) | SPH2D__BIT(repulsion) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |
+               SPH2D__BIT(excess) | SPH2D__BIT(stored) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |
                /* a resumed run knows its largest viscosity by them */
                SPH2D__BIT(stretch) | SPH2D__BIT(shear),
     .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |
              SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) |
              SPH2D__BIT(pressure) | SPH2D__BIT(depth) | SPH2D__BIT(skin) | SPH2D__BIT(drag),
     .prepare = prepare,
+    .set_sides = sph2d__wcsph_set_sides,
     .evaluate = evaluate,
     .elastic = elastic,
     .take_density = take_density,

@@ -30,17 +30,18 @@
  *  the reflection, a particle at T x with T v, T B T and theta, which j, k and the liquid's own sums above include. So
  *  rate and force are transposed as they are without sides: the liquid is half of one that is symmetric. In the other
  *  half gravity points the other way, and pressure has a bend at the side that sums over the support do not resolve;
- *  g_i is the mean over the support, too: its component across a side is (1 - 2 w_i) g, w_i the sum of V0 W over the
- *  images beyond it. Then a lattice is at rest under hydrostatic pressure: without it, rows were off by turns by 3 % of
- *  rho g H. It takes no gradient of pressure, since liquid beside a flat wall does not accelerate towards it. Density
- *  diffuses between particles alone, because of the bend.
+ *  g_i is the mean over the support, too: its component across a side is (1 - 2 w_i) g, w_i the part of the kernel that
+ *  is beyond it, which the distance alone determines, so that g_i has a potential. Then a lattice is at rest under
+ *  hydrostatic pressure: without it, rows were off by turns by 3 % of rho g H. It takes no gradient of pressure, since
+ *  liquid beside a flat wall does not accelerate towards it. Density diffuses between particles alone, because of the
+ *  bend.
  *
  *  Boundary particles stand for obstacles. Their pressure is that of the liquid before them, continued by its gradient
  *  A_i sum_k (p_k - p_i) G_ik: the terms with C, whose transposes are those with z.
  *
  *  Walls do not hold by tension what has no C_i: films, where A_i is not F_i^-1, and what is past the end of a wall. a_i is 0
- *  there while theta_i is below 0, else 1, and 1 in liquid without a surface. As it changes in the middle between two kicks,
- *  in rate and force at once, all is accounted for.
+ *  there while theta_i and what walls add to D_i are below 0: while it is under tension and leaves. Else a_i is 1, and always
+ *  in liquid without a surface. As it changes in the middle between two kicks, in rate and force at once, all is accounted for.
  *
  *  Dissipation acts where velocities and pressures are not linear:
  *
@@ -122,7 +123,7 @@ static inline double sph2d__density_ratio(double theta)
     X(px) X(py)                      /* where particles are now [m] */                                                 \
     X(acts)                          /* a */                                                                           \
     X(mean_work) X(mean_ex) X(mean_ey) /* over the step: 2 a P + l, and A sum (P_k - P_i) G_ik */                      \
-    X(across_x) X(across_y)          /* w; of images: 1 for the directions in which a side is between */               \
+    X(across_x) X(across_y)          /* w */                                                                           \
     X(image_nx) X(image_ny)          /* the part of N by images */                                                     \
     X(image_weight)                  /* and of sum |G| */                                                              \
     X(wall_xx) X(wall_xy) X(wall_yy) /* Q */                                                                           \
@@ -150,6 +151,9 @@ static inline double sph2d__density_ratio(double theta)
     X(linear_w) X(linear_theta)      /* what is linear of w [m/s], and of theta_ij */
 /* clang-format on */
 
+/** By how much more energy a particle at (x, y) has than gravity's: beside sides g_i is less [J/kg]. */
+double sph2d__side_energy(const sph2d__system *s, double x, double y);
+
 /** A body during a step: its motion, and the liquid's force on it in the mean over the step, so far. */
 typedef struct sph2d__frozen_body {
     sph2d__twist velocity, change;      /**< now, and by the last acoustic step [m/s, rad/s] */
@@ -167,6 +171,8 @@ enum { SPH2D__LATTICE_REACH = 6 };
 
 /** Entries of s. */
 enum { SPH2D__FREE_PARTS = 64 };
+/* Steps of the distance from a plane, over H. */
+enum { SPH2D__PLANE_PARTS = 256 };
 /** The flat sides of the domain that mirror the liquid; infinite where there are none. */
 typedef struct sph2d__sides {
     double low_x, high_x, low_y, high_y;
@@ -204,8 +210,10 @@ typedef struct sph2d__frozen {
     sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
     sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
     size_t row_count, row_capacity;
-    double left[SPH2D__FREE_PARTS + 1]; /**< s, by equal steps of K/Sigma from 0 on */
-    double nearness;                    /**< the last K/Sigma there: that of a place on a surface */
+    double left[SPH2D__FREE_PARTS + 1];    /**< s, by equal steps of K/Sigma from 0 on */
+    double beyond[SPH2D__PLANE_PARTS + 1]; /**< the kernel's part beyond a plane, by the distance from it */
+    double lift[SPH2D__PLANE_PARTS + 1];   /**< its integral from there to H [m] */
+    double nearness;                       /**< the last K/Sigma there: that of a place on a surface */
     double uneven; /**< the difference of B's eigenvalues there over their sum: no particle has a larger one */
 } sph2d__frozen;
 
@@ -243,9 +251,11 @@ typedef struct sph2d__wcsph_pass {
 SPH2D__COPIES(sph2d__wcsph_gather_pass, sph2d__wcsph_gather)
 SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph)
 
+/** Makes what stands still, with nothing in it yet. False when memory is short. */
+bool sph2d__frozen_start(sph2d__system *system, const sph2d__sides *sides);
 /** Makes room for the fluid's particles and their neighbours, lists them and sets what stands still. The cells are up to
  *  date. False when memory is short. */
-bool sph2d__frozen_gather(sph2d__system *system, const sph2d__sides *sides);
+bool sph2d__frozen_gather(sph2d__system *system);
 /** Sets how much of each boundary particle acts (wcsph_images.c), when walls have moved. */
 void sph2d__wall_parts_find(sph2d__system *system);
 /** Lists the images in sides, and in corners those in both, and makes room for them behind the particles in all arrays:
@@ -303,6 +313,7 @@ void sph2d__frozen_bodies_free(sph2d__system *system);
 
 /** The time scheme (advance.c): method.h. */
 sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt);
+bool sph2d__wcsph_set_sides(sph2d_sim *sim);
 
 /** Whether viscosity is as stable at once over a step of length dt as it may be in an acoustic one. */
 bool sph2d__viscous_at_once(const sph2d__system *system, double dt);

@@ -11,7 +11,7 @@
 enum { REACH = SPH2D__LATTICE_REACH };
 
 /* Steps of the distance from a surface, over H, by which s is found. */
-enum { DISTANCES = 256 };
+enum { DISTANCES = SPH2D__PLANE_PARTS };
 
 /** Sums of K, Sigma and M over the first row of a lattice and those behind it. */
 typedef struct row_sums {
@@ -78,6 +78,22 @@ static void find_left(const sph2d__system *s, sph2d__frozen *z)
         z->left[entry] = 1 - (1 - z->left[entry]) * (1 - row.value) / (1 - row_left);
 }
 
+/** What is beyond a plane, and its integral, by trapezia. */
+static void find_beyond(const sph2d__system *s, sph2d__frozen *z)
+{
+    const double step = 1.0 / DISTANCES, scale = sph2d__kernel_constant(s->method.kernel) * step * step;
+    double last = 0;
+    z->beyond[DISTANCES] = z->lift[DISTANCES] = 0;
+    for (int a = DISTANCES - 1; a >= 0; --a) {
+        double line = 0;
+        for (int b = -DISTANCES; b <= DISTANCES; ++b)
+            line += scale * sph2d__kernel_value_at(s->method.kernel, hypot(a, b) * step);
+        z->beyond[a] = z->beyond[a + 1] + (line + last) / 2;
+        z->lift[a] = z->lift[a + 1] + (z->beyond[a] + z->beyond[a + 1]) / 2 * step * s->support;
+        last = line;
+    }
+}
+
 /* ---- memory ------------------------------------------------------------------------------------------------------ */
 
 #define COUNT_ONE(name) +1
@@ -133,18 +149,9 @@ static bool reserve(sph2d__system *s)
 }
 
 /** Makes room for the boundary particles. */
-static bool reserve_walls(sph2d__system *s, const sph2d__sides *sides)
+static bool reserve_walls(sph2d__system *s)
 {
-    const bool fresh = !s->frozen;
-    if (fresh)
-        s->frozen = sph2d__alloc(s->memory, 1, sizeof *s->frozen);
     sph2d__frozen *z = s->frozen;
-    if (!z)
-        return false;
-    if (fresh)
-        find_left(s, z);
-    const bool other = memcmp(&z->sides, sides, sizeof *sides) != 0;
-    z->sides = *sides;
     const size_t walls = s->walls.capacity + SPH2D__PADDING;
     const sph2d__growth block = {&z->part, sizeof *z->part};
     if (walls > z->walls) {
@@ -152,9 +159,18 @@ static bool reserve_walls(sph2d__system *s, const sph2d__sides *sides)
             return false;
         z->walls = walls;
         sph2d__wall_parts_find(s);
-    } else if (other) {
-        sph2d__wall_parts_find(s);
     }
+    return true;
+}
+
+bool sph2d__frozen_start(sph2d__system *s, const sph2d__sides *sides)
+{
+    s->frozen = sph2d__alloc(s->memory, 1, sizeof *s->frozen);
+    if (!s->frozen)
+        return false;
+    s->frozen->sides = *sides;
+    find_left(s, s->frozen);
+    find_beyond(s, s->frozen);
     return true;
 }
 
@@ -269,12 +285,12 @@ static void bound_some(sph2d__system *s, size_t first, size_t last)
         bound(s, i);
 }
 
-bool sph2d__frozen_gather(sph2d__system *s, const sph2d__sides *sides)
+bool sph2d__frozen_gather(sph2d__system *s)
 {
     const sph2d__wcsph_gather_pass *pass = sph2d__wcsph_gather_find(s->isa);
     const double ratio = s->support / s->spacing;
     size_t each = (size_t)(2 * SPH2D__PI * ratio * ratio) + 8; /* with walls, and half as many again for disorder */
-    if (!reserve_walls(s, sides) || !sph2d__images_place(s))
+    if (!reserve_walls(s) || !sph2d__images_place(s))
         return false;
     for (;; each = 2 * s->neighbours.each) {
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each, false) || !reserve(s))

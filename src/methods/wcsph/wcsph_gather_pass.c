@@ -10,27 +10,6 @@
 #include "methods/wcsph/wcsph_finish.h"
 #include "methods/wcsph/wcsph_front.h"
 
-/** Sums over images: the weight of those beyond sides along x and along y, as the kernel has it. */
-typedef struct image_sums {
-    sph2d__lanes x, y;
-} image_sums;
-
-SPH2D__INLINE image_sums sum_images(const sph2d__system *s, size_t begin, uint32_t slots, sph2d_kernel kernel)
-{
-    const sph2d__frozen *z = s->frozen;
-    const double ratio = s->spacing / s->support, scale = sph2d__kernel_constant(kernel) * ratio * ratio;
-    image_sums sum = {0};
-    for (size_t k = begin; k < begin + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
-        const uint32_t *j = s->neighbours.index + k;
-        const sph2d__lanes rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
-        const sph2d__lanes value =
-            scale * sph2d__kernel_value(kernel, sph2d__lanes_sqrt(rx * rx + ry * ry) * (1 / s->support));
-        sum.x += value * sph2d__lanes_gather(z->across_x, j);
-        sum.y += value * sph2d__lanes_gather(z->across_y, j);
-    }
-    return sum;
-}
-
 /* (|G| H)^2 of pairs that are none: at the end of the support, or what a list ends with. */
 static const double NO_PAIR = 1e-20;
 
@@ -166,7 +145,6 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
     at->fluid = sph2d__pairs_write(n, to, f->count);
     sum_fluid(s, at->begin, at->fluid, kernel, &sum);
     sums all = sum;
-    image_sums mirrored = {0};
     uint32_t *imaged = &s->frozen->imaged[first / SPH2D__LANES];
     *imaged = 0;
     if (s->frozen->images.count > 0) {
@@ -176,7 +154,6 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
         for (size_t k = start; k < start + (size_t)*imaged * SPH2D__LANES; ++k)
             n->index[k] += (uint32_t)s->frozen->first_image;
         sum_fluid(s, start, *imaged, kernel, &all);
-        mirrored = sum_images(s, start, *imaged, kernel);
         at->fluid += *imaged;
     }
     if (s->walls_press && s->frozen->sides.first > 0) {
@@ -186,8 +163,6 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
     }
     s->frozen->close[first / SPH2D__LANES] = write_close(s, to, at);
     finish(s, first, &sum, &all, &walls, kernel);
-    sph2d__lanes_store(s->frozen->across_x + first, mirrored.x);
-    sph2d__lanes_store(s->frozen->across_y + first, mirrored.y);
     if (at->walls > 0)
         finish_walls(s, first, at);
 }

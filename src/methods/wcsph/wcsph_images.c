@@ -127,10 +127,41 @@ static void copy_record(float *records, size_t to, size_t from, double a, double
     memcpy(records + 4 * to, seen, sizeof seen);
 }
 
+/** An entry of a table over a distance from a plane. */
+static double by_distance(const sph2d__system *s, const double *table, double d)
+{
+    const double at = fmax(d / s->support, 0) * SPH2D__PLANE_PARTS;
+    if (!(at < SPH2D__PLANE_PARTS))
+        return 0;
+    const size_t k = (size_t)at;
+    return table[k] + (at - (double)k) * (table[k + 1] - table[k]);
+}
+
+/** Sets w. */
+static void turn(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__sides *d = &z->sides;
+    for (size_t i = first; i < last; ++i) {
+        const double x = s->fluid.x[i], y = s->fluid.y[i];
+        z->across_x[i] = by_distance(s, z->beyond, x - d->low_x) + by_distance(s, z->beyond, d->high_x - x);
+        z->across_y[i] = by_distance(s, z->beyond, y - d->low_y) + by_distance(s, z->beyond, d->high_y - y);
+    }
+}
+
+double sph2d__side_energy(const sph2d__system *s, double x, double y)
+{
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__sides *d = &z->sides;
+    return 2 * s->body.gravity_x * (by_distance(s, z->lift, d->high_x - x) - by_distance(s, z->lift, x - d->low_x)) +
+           2 * s->body.gravity_y * (by_distance(s, z->lift, d->high_y - y) - by_distance(s, z->lift, y - d->low_y));
+}
+
 void sph2d__images_start(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *f = &s->fluid;
+    sph2d__over_particles(s, f->count, turn);
     for (size_t k = 0; k < z->images.count; ++k) {
         const image m = image_at(z, k);
         const size_t i = z->first_image + k;
@@ -140,8 +171,6 @@ void sph2d__images_start(sph2d__system *s)
         f->vy[i] = m.y * f->vy[m.of];
         f->excess[i] = f->excess[m.of];
         copy_record(z->state, i, m.of, m.x, m.y, 1, 1);
-        z->across_x[i] = m.x < 0;
-        z->across_y[i] = m.y < 0;
     }
     const size_t end = z->first_image + z->images.count;
     if (z->images.count > 0) {

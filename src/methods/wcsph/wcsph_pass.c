@@ -283,26 +283,37 @@ SPH2D__INLINE vectors own_rest(const sph2d__frozen *z, size_t i, sph2d__lanes we
     return (vectors){rest.a * part, rest.b * part};
 }
 
-/** By what gravity beyond sides takes away, g_i - g, which it returns, and the sums over images, sides push particles: adds
- *  that to the mean over the step. */
-SPH2D__INLINE vectors push_by_sides(const sph2d__system *s, size_t i, const force_sums *f, const force_sums *without,
-                                    vectors gravity, double once)
+/** Adds an acceleration by sides to its mean over the step. */
+SPH2D__INLINE void add_push(sph2d__frozen *z, size_t i, sph2d__lanes ax, sph2d__lanes ay)
+{
+    sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + z->share * ax);
+    sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + z->share * ay);
+}
+
+/** What gravity beyond sides takes away, g_i - g. */
+SPH2D__INLINE vectors turn(sph2d__frozen *z, size_t i, vectors gravity)
+{
+    const vectors turned = {-2 * gravity.x * sph2d__lanes_load(z->across_x + i),
+                            -2 * gravity.y * sph2d__lanes_load(z->across_y + i)};
+    add_push(z, i, turned.x, turned.y);
+    return turned;
+}
+
+/** How sides push particles by the sums over images. */
+SPH2D__INLINE void push_by_sides(const sph2d__system *s, size_t i, const force_sums *f, const force_sums *without,
+                                 double once)
 {
     sph2d__frozen *z = s->frozen;
     const double m = s->mass, strength = m * s->sound_speed, hv = smoothing(s, once);
     const double thick = viscosity(s, once);
     const sph2d__four q = sph2d__four_load(z->press + 4 * i);
-    const vectors turned = {-2 * gravity.x * sph2d__lanes_load(z->across_x + i),
-                            -2 * gravity.y * sph2d__lanes_load(z->across_y + i)};
     const vectors n = load(z->image_nx, z->image_ny, i);
     const vectors own = own_rest(z, i, sph2d__lanes_load(z->image_weight + i), n);
     const sph2d__lanes px = strength * (f->dx - without->dx + hv * (f->rx - without->rx - own.x)) +
                             thick * (f->vx - without->vx) - (f->px - without->px) - (q.a * n.x + q.b * n.y);
     const sph2d__lanes py = strength * (f->dy - without->dy + hv * (f->ry - without->ry - own.y)) +
                             thick * (f->vy - without->vy) - (f->py - without->py) - (q.b * n.x + q.c * n.y);
-    sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + z->share * (px / m + turned.x));
-    sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + z->share * (py / m + turned.y));
-    return turned;
+    add_push(z, i, px / m, py / m);
 }
 
 /** Velocities by the forces of an acoustic step. */
@@ -333,10 +344,13 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
         driven = fall(s, i, to);
     }
     vectors a = driven, turned = {0};
-    if (imaged) {
-        turned = push_by_sides(s, i, f, without, driven, once);
+    const bool mirrored = z->images.count > 0;
+    if (mirrored) {
+        turned = turn(z, i, driven);
         a = (vectors){a.x + turned.x, a.y + turned.y};
     }
+    if (imaged)
+        push_by_sides(s, i, f, without, once);
     a = (vectors){a.x + force.x / m, a.y + force.y / m};
     if (z->pulls)
         a = (vectors){a.x + sph2d__lanes_load(z->pull_x + i), a.y + sph2d__lanes_load(z->pull_y + i)};
@@ -352,7 +366,7 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     if (z->driven)
         drive(s, i, last, driven, middle, sum);
     sph2d__lanes work = dt * dot(d, middle);
-    if (imaged)
+    if (mirrored)
         work += dt * m * dot(turned, middle);
     if (walls)
         work += dt * (repel * (dot(front, middle) - sph2d__lanes_load(z->front_speed + i)) -
@@ -443,14 +457,13 @@ typedef struct times {
     double before, after;
 } times;
 
-/** a, with the logarithm of density theta: 0 in films under tension, which no wall holds. */
-SPH2D__INLINE sph2d__lanes acts_at(const sph2d__system *s, size_t i, sph2d__lanes theta)
+/** a, with the logarithm of density theta and the walls' part of D: 0 in films under tension that leave, which no wall holds. */
+SPH2D__INLINE sph2d__lanes acts_at(const sph2d__system *s, size_t i, sph2d__lanes theta, sph2d__lanes by)
 {
-    const sph2d__lanes none = {0}, one = sph2d__lanes_all(1);
+    const sph2d__lanes none = {0}, one = sph2d__lanes_all(1), walled = sph2d__lanes_load(s->frozen->walled + i);
     if (s->fills)
         return one;
-    return sph2d__lanes_max(sph2d__lanes_where(theta, none, one),
-                            sph2d__lanes_where(sph2d__lanes_load(s->frozen->walled + i), none, one));
+    return sph2d__lanes_where(sph2d__lanes_max(sph2d__lanes_max(theta, by), walled), none, one);
 }
 
 /** D before walls begin or cease to act, and after it. */
@@ -466,7 +479,7 @@ SPH2D__INLINE wall_rates add_wall_rate(sph2d__system *s, size_t i, vectors v, do
     const sph2d__lanes by = 2 * dot(v, load(z->sx, z->sy, i)) - sph2d__lanes_load(z->wall_rate + i);
     liquid += own.c * sph2d__lanes_load(z->nx + i) + own.d * sph2d__lanes_load(z->ny + i);
     wall_rates d = {.before = liquid + sph2d__lanes_load(z->acts + i) * by};
-    const sph2d__lanes acts = acts_at(s, i, sph2d__lanes_load(s->fluid.excess + i) + time * d.before);
+    const sph2d__lanes acts = acts_at(s, i, sph2d__lanes_load(s->fluid.excess + i) + time * d.before, by);
     sph2d__lanes_store(z->acts + i, acts);
     d.after = liquid + acts * by;
     return d;
