@@ -55,7 +55,7 @@
     X(sides)                                                                                                           \
     X(thin)                                                                                                            \
     X(pose)                                                                                                            \
-    X(frame)                                                                                                           \
+    X(forces) X(frame)                                                                                                           \
     X(turning)                                                                                                         \
     X(arcs)                                                                                                            \
     X(slip)                                                                                                            \

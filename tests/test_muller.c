@@ -156,8 +156,8 @@ START_TEST(threads_and_gravity_agree)
         return;
     /* Two particle grains and more: a second thread takes part. */
     sph2d_sim *sim = make(isa_of(_i), 2.0, _i & 1 ? 5 : 0, _i & 2, 40, 2);
-    sim->system.body.gravity_x = 3;
-    sim->system.body.gravity_y = -9.81;
+    sim->system.forces.gravity.x = 3;
+    sim->system.forces.gravity.y = -9.81;
     scatter(sim, 4 * COUNT, 9);
     compare(sim, (sph2d_vec2){3, -9.81});
     sph2d_sim_destroy(sim);

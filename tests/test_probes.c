@@ -254,7 +254,7 @@ START_TEST(energy_is_that_of_two_particles)
     add_particle(sim, 0.5, 0);
     add_particle(sim, -0.5, 0.25);
     sort_particles(sim);
-    sim->system.body.gravity_y = -10;
+    sim->system.forces.gravity.y = -10;
     for (size_t i = 0; i < 2; ++i) {
         sim->system.fluid.vx[i] = 3;
         sim->system.fluid.vy[i] = sim->system.fluid.x[i] > 0 ? 4 : 0;

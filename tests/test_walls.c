@@ -12,14 +12,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "boundary/spring_wall.h"
 #include "common.h"
+#include "forces/springs.h"
 
 static const double DX = 0.01, W = 1000; /* spacing; sound speed of test_scene(), 10 m/s, over spacing */
 
 START_TEST(the_push_is_as_documented)
 {
-    sph2d__spring_walls w = {.range = 0.5, .stiffness = 30, .damping = 2};
+    sph2d__springs w = {.range = 0.5, .stiffness = 30, .damping = 2};
     ck_assert_double_eq_tol(sph2d__spring_force(&w, 0.4, 0), 3, 1e-14);
     ck_assert_double_eq_tol(sph2d__spring_force(&w, 0.1, 0), 12, 1e-14);
     ck_assert_double_eq_tol(sph2d__spring_force(&w, -0.5, 0), 30, 1e-14); /* beyond the wall it goes on growing */

@@ -116,10 +116,10 @@ static double level_of(flood *w, double area)
 
 double sph2d__coverage_level(const sph2d__coverage *c, double area)
 {
-    const sph2d__body *b = &c->sim->system.body;
+    const sph2d__forces *b = &c->sim->system.forces;
     sph2d__memory *memory = c->sim->system.memory;
     size_t cells = c->nx * c->ny;
-    if (b->gravity_x != 0 || !(b->gravity_y < 0) || c->nodes_y == c->ny || c->nx == 0)
+    if (b->gravity.x != 0 || !(b->gravity.y < 0) || c->nodes_y == c->ny || c->nx == 0)
         return NAN;
     void *closed = sph2d__alloc(memory, cells, 1), *wet = sph2d__alloc(memory, cells, 1);
     void *queue = sph2d__alloc(memory, cells, sizeof(uint32_t));

@@ -66,9 +66,10 @@ static void add_liquid(const sph2d_sim *sim, sph2d_vec2 at, filling *sum)
 /** How far below a position boundary particle b is, at (x, y) from it [m]. */
 static double depth_of(const sph2d__system *s, size_t b, double x, double y)
 {
-    double gx = s->body.gravity_x, gy = s->body.gravity_y;
-    if (s->body.frame.moves)
-        sph2d__frame_add(&s->body.frame, s->walls.x[b], s->walls.y[b], s->walls.vx[b], s->walls.vy[b], &gx, &gy);
+    double gx = s->forces.gravity.x, gy = s->forces.gravity.y;
+    if (s->forces.frame.moves)
+        sph2d__frame_add(&s->forces.frame, (sph2d__place){s->walls.x[b], s->walls.y[b], s->walls.vx[b], s->walls.vy[b]},
+                         &gx, &gy);
     if (s->walls.ax) {
         gx -= s->walls.ax[b];
         gy -= s->walls.ay[b];

@@ -16,6 +16,7 @@
 #include "scene/checker.h"
 #include "scene/copy.h"
 #include "scene/derive.h"
+#include "scene/frame.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/openings.h"
@@ -100,9 +101,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
         (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     bool wide = sim->method->project && s->reach < MIN_NARROW_RATIO * s->spacing;
     s->fluid_cells.columns = s->wall_cells.columns = wide ? 1 : COLUMNS;
-    s->body.center_x = scene->central_force.center.x;
-    s->body.center_y = scene->central_force.center.y;
-    s->body.central_rate2 = scene->central_force.rate * scene->central_force.rate;
+    sph2d__forces_set(&s->forces, scene, s->sound_speed);
     sim->record.gravity_x = scene->gravity.x;
     sim->record.gravity_y = scene->gravity.y;
     sim->record.isa = s->isa;

@@ -27,7 +27,7 @@ static void add_one(sph2d_sim *sim, const sph2d_particle *p)
     fluid->density[i] = p->density > 0 ? p->density : rest;
     fluid->vx[i] = p->vx;
     fluid->vy[i] = p->vy;
-    sph2d__body_add(&sim->system.body, p->x, p->y, p->vx, p->vy, &fluid->ax[i], &fluid->ay[i]);
+    sph2d__forces_add(&sim->system.forces, (sph2d__place){p->x, p->y, p->vx, p->vy}, &fluid->ax[i], &fluid->ay[i]);
     sim->record.energy_fed += sph2d__sim_energy_of(sim, p->x, p->y, p->vx, p->vy);
     ++sim->record.fed;
 }

@@ -94,7 +94,8 @@ static sph2d_status emit_row(sph2d_sim *sim, size_t index, const emission *n, ui
         fluid->density[i] = sim->scene.fluid.density;
         fluid->vx[i] = source->speed * n->ux + spread * sph2d__noise(source->seed, index, row, k, 0);
         fluid->vy[i] = source->speed * n->uy + spread * sph2d__noise(source->seed, index, row, k, 1);
-        sph2d__body_add(&sim->system.body, x, y, fluid->vx[i], fluid->vy[i], &fluid->ax[i], &fluid->ay[i]);
+        sph2d__forces_add(&sim->system.forces, (sph2d__place){x, y, fluid->vx[i], fluid->vy[i]}, &fluid->ax[i],
+                          &fluid->ay[i]);
         sim->record.energy_fed += sph2d__sim_energy_of(sim, x, y, fluid->vx[i], fluid->vy[i]);
         ++sim->record.fed;
     }

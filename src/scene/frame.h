@@ -1,36 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file frame.h
- *  The frame of a tank that moves, and gravity that changes: the accelerations that the liquid feels in the tank, in
- *  addition to the scene's constant gravity g0.
- *
- *  A tank displaced by d and turned by theta about its centre c sees, at r = x - c and with velocity v relative to it,
- *
- *      a = R(-theta) (g(t) - d'') - g0      gravity and the acceleration of the tank
- *        - theta'' z x r                    Euler
- *        + theta'^2 r                       centrifugal
- *        - 2 theta' z x v                   Coriolis
- *
- *  with z x (x, y) = (-y, x), z the axis out of the plane (Landau & Lifshitz, Mechanics, eq. 39.7). */
+ *  The course of a tank that moves, and what it can do to the liquid (forces/frame.h). */
 #ifndef SPH2D_SCENE_FRAME_H
 #define SPH2D_SCENE_FRAME_H
 
+#include "forces/frame.h"
 #include "scene/motion.h"
-
-typedef struct sph2d__frame {
-    bool moves;          /**< whether there is anything to add */
-    sph2d_vec2 center;   /**< about which it turns [m] */
-    sph2d_vec2 uniform;  /**< the acceleration at the centre [m/s^2] */
-    double omega, alpha; /**< rate of turn [rad/s], and its rate [rad/s^2] */
-} sph2d__frame;
-
-/** Adds the accelerations at (x, y) for a velocity (vx, vy), both relative to the tank. */
-static inline void sph2d__frame_add(const sph2d__frame *f, double x, double y, double vx, double vy, double *ax,
-                                    double *ay)
-{
-    double rx = x - f->center.x, ry = y - f->center.y, w2 = f->omega * f->omega;
-    *ax += f->uniform.x + f->alpha * ry + w2 * rx + 2 * f->omega * vy;
-    *ay += f->uniform.y - f->alpha * rx + w2 * ry - 2 * f->omega * vx;
-}
 
 /** Whether a scene's tank moves, or its gravity changes. */
 bool sph2d__scene_is_driven(const sph2d_scene *scene);

@@ -59,7 +59,7 @@ static sph2d_vec2 push_of(const sph2d_sim *sim, kicked k)
     double bx = 0, by = 0;
     if (!(k.duration > 0))
         return (sph2d_vec2){0, 0};
-    sph2d__body_add(&sim->system.body, f->x[i], f->y[i], f->vx[i], f->vy[i], &bx, &by);
+    sph2d__forces_add(&sim->system.forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &bx, &by);
     return (sph2d_vec2){k.duration * (f->ax[i] - bx), k.duration * (f->ay[i] - by)};
 }
 

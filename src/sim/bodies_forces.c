@@ -111,13 +111,28 @@ static double pull_of(const sph2d_spring *spring, const stretch *s)
     return spring->slack == SPH2D_SWITCH_ON ? fmax(pull, 0) : pull;
 }
 
-/** Acceleration by body forces, as of the liquid at the centre of mass. */
+/** The forces on bodies: all but springs of sides, which hold off particles. */
+static sph2d__forces forces_on_bodies(const sph2d_sim *sim)
+{
+    sph2d__forces forces = sim->system.forces;
+    forces.springs.stiffness = 0;
+    return forces;
+}
+
+/** Where the centre of mass is. */
+static sph2d__place place_of(const sph2d__pose *pose, sph2d__twist velocity)
+{
+    return (sph2d__place){pose->center.x + pose->displacement.x, pose->center.y + pose->displacement.y, velocity.x,
+                          velocity.y};
+}
+
+/** Acceleration by forces, as of the liquid at the centre of mass. */
 static sph2d__twist body_acceleration(const sph2d_sim *sim, const sph2d__pose *pose)
 {
-    sph2d__body forces = sim->system.body;
-    forces.springs.stiffness = 0; /* those of sides hold off particles */
-    double x = pose->center.x + pose->displacement.x, y = pose->center.y + pose->displacement.y, ax = 0, ay = 0;
-    sph2d__body_add(&forces, x, y, pose->velocity.x, pose->velocity.y, &ax, &ay);
+    const sph2d__forces forces = forces_on_bodies(sim);
+    const sph2d__twist velocity = {pose->velocity.x, pose->velocity.y, 0};
+    double ax = 0, ay = 0;
+    sph2d__forces_add(&forces, place_of(pose, velocity), &ax, &ay);
     return (sph2d__twist){ax, ay, -forces.frame.alpha};
 }
 
@@ -150,8 +165,9 @@ double sph2d__body_energy(const sph2d_sim *sim, const sph2d__rigid *r)
 {
     sph2d__pose pose = sph2d__rigid_at(r, r->start);
     double energy = sph2d__rigid_kinetic(r, r->state->velocity);
-    energy += r->mass *
-              sph2d__sim_potential_of(sim, pose.center.x + pose.displacement.x, pose.center.y + pose.displacement.y);
+    const sph2d__forces forces = forces_on_bodies(sim);
+    const sph2d__place at = place_of(&pose, r->state->velocity);
+    energy += r->mass * sph2d__forces_potential(&forces, at.x, at.y);
     for (size_t k = 0; k < r->body->spring_count; ++k) {
         stretch s = stretch_of(r, &r->body->springs[k], &pose);
         energy += r->body->springs[k].stiffness * s.by * s.by / 2;
@@ -169,14 +185,16 @@ double sph2d__bodies_energy(const sph2d_sim *sim)
 
 double sph2d__bodies_power(const sph2d_sim *sim)
 {
+    const sph2d__forces forces = forces_on_bodies(sim);
     double power = 0;
     for (size_t n = 0; n < sim->bodies.count; ++n) {
         const sph2d__rigid *r = &sim->bodies.items[n];
         sph2d__pose pose = sph2d__rigid_at(r, r->start);
-        double x = pose.center.x + pose.displacement.x, y = pose.center.y + pose.displacement.y;
-        double vx = r->state->velocity.x, vy = r->state->velocity.y;
-        sph2d_vec2 a = sph2d__sim_driving_acceleration(sim, x, y, vx, vy);
-        power += r->mass * (vx * a.x + vy * a.y) - r->inertia * sim->system.body.frame.alpha * r->state->velocity.turn;
+        const sph2d__place at = place_of(&pose, r->state->velocity);
+        double ax = 0, ay = 0;
+        sph2d__forces_drive(&forces, SPH2D__WORK, at, &ax, &ay);
+        sph2d__forces_drive(&forces, SPH2D__LOSS, at, &ax, &ay);
+        power += r->mass * (at.vx * ax + at.vy * ay) - r->inertia * forces.frame.alpha * r->state->velocity.turn;
         for (size_t k = 0; k < r->body->spring_count; ++k) {
             const sph2d_spring *spring = &r->body->springs[k];
             stretch s = stretch_of(r, spring, &pose);

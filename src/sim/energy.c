@@ -9,48 +9,26 @@
 #include "scene/method_table.h"
 #include "sim/simulation.h"
 
-/** Potential over mass of a spring at `distance`. */
-static double spring_energy(const sph2d__spring_walls *w, double distance)
-{
-    double depth = w->range - distance;
-    return depth > 0 ? w->stiffness * depth * depth / 2 : 0;
-}
-
-/* Gravity along a period has no potential: its work is summed over time (work.c). */
-double sph2d__sim_potential_of(const sph2d_sim *sim, double x, double y)
-{
-    sph2d_vec2 corner = sim->scene.domain.min;
-    const sph2d__body *body = &sim->system.body;
-    const sph2d__period *p = &sim->system.fluid_cells.period;
-    double gx = p->length_x > 0 ? 0 : body->gravity_x, gy = p->length_y > 0 ? 0 : body->gravity_y;
-    double rx = x - body->center_x, ry = y - body->center_y;
-    return -(gx * (x - corner.x) + gy * (y - corner.y)) + body->central_rate2 * (rx * rx + ry * ry) / 2;
-}
-
 /* Four sums side by side, as additions of one wait for each other. */
 double sph2d__sim_energy_of_all(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
+    const sph2d__forces *forces = &sim->system.forces;
     enum { SIDE_BY_SIDE = 4 };
     double sums[SIDE_BY_SIDE] = {0};
     size_t i = 0;
     for (; i + SIDE_BY_SIDE <= f->count; i += SIDE_BY_SIDE)
         for (size_t k = 0; k < SIDE_BY_SIDE; ++k)
             sums[k] += (f->vx[i + k] * f->vx[i + k] + f->vy[i + k] * f->vy[i + k]) / 2 +
-                       sph2d__sim_potential_of(sim, f->x[i + k], f->y[i + k]);
+                       sph2d__forces_potential(forces, f->x[i + k], f->y[i + k]);
     for (; i < f->count; ++i)
-        sums[0] += (f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i]) / 2 + sph2d__sim_potential_of(sim, f->x[i], f->y[i]);
+        sums[0] += (f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i]) / 2 + sph2d__forces_potential(forces, f->x[i], f->y[i]);
     return sim->system.mass * ((sums[0] + sums[1]) + (sums[2] + sums[3]));
 }
 
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
 {
-    const sph2d__spring_walls *w = &sim->system.body.springs;
-    double potential = sph2d__sim_potential_of(sim, x, y);
-    if (w->stiffness > 0)
-        potential += spring_energy(w, x - w->left) + spring_energy(w, w->right - x) + spring_energy(w, y - w->bottom) +
-                     spring_energy(w, w->top - y);
-    return sim->system.mass * ((vx * vx + vy * vy) / 2 + potential);
+    return sim->system.mass * ((vx * vx + vy * vy) / 2 + sph2d__forces_potential(&sim->system.forces, x, y));
 }
 
 double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i)

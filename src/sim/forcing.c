@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file forcing.c
  *  Time-dependent forcing: interactions, the pointer, moving obstacles. */
+#include "scene/frame.h"
 #include "sim/simulation.h"
 
 /** Position on a path at a time; false before its start and after its end. */
@@ -45,7 +46,7 @@ static bool move_walls(sph2d_sim *sim, double time)
 /** Sets the forces on the liquid at a time. */
 static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
 {
-    sph2d__body *body = &sim->system.body;
+    sph2d__forces *forces = &sim->system.forces;
     size_t count = 0;
     for (size_t i = 0; i < sim->scene.interaction_count; ++i) {
         const sph2d_interaction *force = &sim->scene.interactions[i];
@@ -56,11 +57,10 @@ static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
     if (by->pointer_acceleration != 0)
         sim->points[count++] =
             (sph2d__point_force){by->pointer_x, by->pointer_y, by->pointer_radius, by->pointer_acceleration};
-    body->points = sim->points;
-    body->point_count = count;
-    body->gravity_x = by->gravity_x;
-    body->gravity_y = by->gravity_y;
-    body->frame = sph2d__frame_at(&sim->scene, &sim->tank, time);
+    forces->points = (sph2d__points){sim->points, count};
+    forces->gravity.x = by->gravity_x;
+    forces->gravity.y = by->gravity_y;
+    forces->frame = sph2d__frame_at(&sim->scene, &sim->tank, time);
 }
 
 static sph2d__steering steering_of(const sph2d__record *r)

@@ -150,7 +150,7 @@ static double find_liquid(const sph2d_sim *sim, sph2d_vec2 place, sph2d_vec2 nor
         double x = f->x[j] - at.x - ranges.x[k], y = f->y[j] - at.y - ranges.y[k], d = hypot(x, y) / s->spacing;
         if (d >= SAMPLE)
             continue;
-        sum += f->pressure[j] - s->rest_density * (s->body.gravity_x * x + s->body.gravity_y * y);
+        sum += f->pressure[j] - s->rest_density * (s->forces.gravity.x * x + s->forces.gravity.y * y);
         ++count;
         nearest = fmin(nearest, d);
         if (x * normal.x + y * normal.y > 0)
@@ -209,8 +209,8 @@ static void push(const sph2d_sim *sim, sph2d__rigid *r, sph2d_vec2 at, double x,
 /** rho g.x: what pressure gains by gravity. */
 static double weight_at(const sph2d_sim *sim, sph2d_vec2 at)
 {
-    const sph2d__body *b = &sim->system.body;
-    return sim->system.rest_density * (b->gravity_x * at.x + b->gravity_y * at.y);
+    const sph2d__forces *b = &sim->system.forces;
+    return sim->system.rest_density * (b->gravity.x * at.x + b->gravity.y * at.y);
 }
 
 /** All gaps of a body with liquid at both ends. */

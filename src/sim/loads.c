@@ -211,7 +211,7 @@ static void sum_sides(const sph2d_sim *sim, size_t index)
 {
     const sph2d__system *s = &sim->system;
     const sph2d__store *f = &s->fluid;
-    const sph2d__spring_walls *w = &s->body.springs;
+    const sph2d__springs *w = &s->forces.springs;
     const sph2d__load *load = &sim->loads.items[index];
     if (!(w->stiffness > 0 || sim->method->side_push) || load->wall >= SPH2D__WALL_OBSTACLE)
         return;

@@ -15,7 +15,7 @@
  *  step alone. Particles that openings hold have forces that are not known, and so have walls of fitted operators. */
 #include <math.h>
 
-#include "methods/common/body.h"
+#include "forces/forces.h"
 #include "sim/simulation.h"
 
 enum { WATCH_STEPS = 8 };
@@ -46,19 +46,19 @@ typedef struct sums {
     double moved;               /**< [kg/s] */
 } sums;
 
-static sums sum(const sph2d_sim *sim, double gravity_x, double gravity_y)
+static sums sum(const sph2d_sim *sim, sph2d_vec2 gravity)
 {
     const sph2d__store *f = &sim->system.fluid;
-    sph2d__body external = sim->system.body;
-    external.springs.stiffness = external.springs.damping = 0; /* which are walls */
-    external.gravity_x = gravity_x;
-    external.gravity_y = gravity_y;
+    sph2d__forces external = sim->system.forces;
+    external.springs.stiffness = 0; /* which are walls */
+    external.gravity.x = gravity.x;
+    external.gravity.y = gravity.y;
     sums s = {0};
     for (size_t i = 0; i < f->count; ++i) {
         s.momentum.x += f->vx[i];
         s.momentum.y += f->vy[i];
         s.moved += sqrt(f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i]);
-        sph2d__body_add(&external, f->x[i], f->y[i], f->vx[i], f->vy[i], &s.force.x, &s.force.y);
+        sph2d__forces_add(&external, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &s.force.x, &s.force.y);
     }
     const double m = sim->system.mass;
     return (sums){{m * s.momentum.x, m * s.momentum.y}, {m * s.force.x, m * s.force.y}, m * s.moved};
@@ -74,7 +74,7 @@ void sph2d__momentum_begin(sph2d_sim *sim)
     sim->loads.watched = sim->momentum_watched || is_watched(sim, step + 1);
     if (!sim->momentum_watched)
         return;
-    const sums s = sum(sim, sim->acting.gravity_x, sim->acting.gravity_y);
+    const sums s = sum(sim, (sph2d_vec2){sim->acting.gravity_x, sim->acting.gravity_y});
     sim->momentum_before = s.momentum;
     sim->force_before = s.force;
     sim->loads.states[sim->loads.count].impulse = (sph2d__pull){0, 0, 0};
@@ -93,7 +93,7 @@ void sph2d__momentum_end(sph2d_sim *sim, double dt)
         return;
     sph2d__record *r = &sim->record;
     const sph2d__pull *on_walls = &sim->loads.states[sim->loads.count].impulse;
-    const sums s = sum(sim, sim->system.body.gravity_x, sim->system.body.gravity_y);
+    const sums s = sum(sim, (sph2d_vec2){sim->system.forces.gravity.x, sim->system.forces.gravity.y});
     const double now = r->time + dt, span = now - r->momentum_time, half = dt / 2;
     const sph2d_vec2 both = {sim->force_before.x + s.force.x, sim->force_before.y + s.force.y},
                      mean = sim->system.external;

@@ -88,7 +88,7 @@ const sph2d__opening *sph2d__opening_at(const sph2d_sim *sim, double x, double y
 
 double sph2d__rest_pressure(const sph2d_sim *sim, const sph2d__opening *o, double x, double y)
 {
-    const sph2d__body *b = &sim->system.body;
+    const sph2d__forces *b = &sim->system.forces;
     double gx = sim->record.gravity_x + b->frame.uniform.x, gy = sim->record.gravity_y + b->frame.uniform.y;
     sph2d_vec2 middle = o->middle;
     return sim->system.rest_density * (gx * (x - middle.x) + gy * (y - middle.y));

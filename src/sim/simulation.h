@@ -6,6 +6,7 @@
 
 #include "boundary/moving.h"
 #include "methods/common/method.h"
+#include "scene/motion.h"
 #include "scene/solids.h"
 #include "sim/bodies.h"
 #include "sim/loads.h"
@@ -136,14 +137,10 @@ bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);
 
-/** Potential at a position, of gravity without periodic directions and of the central force [J/kg]. */
-double sph2d__sim_potential_of(const sph2d_sim *sim, double x, double y);
-/** Kinetic and potential energy of the liquid, without that of spring walls [J/m]. */
+/** Kinetic and potential energy of the liquid [J/m]. */
 double sph2d__sim_energy_of_all(const sph2d_sim *sim);
 
-/** Acceleration there by forces that have no potential: work.c [m/s^2]. */
-sph2d_vec2 sph2d__sim_driving_acceleration(const sph2d_sim *sim, double x, double y, double vx, double vy);
-/** The power of these on the liquid, and of forces on bodies: work.c [W/m]. */
+/** The power of forces without a potential on the liquid, and of all on bodies: work.c [W/m]. */
 double sph2d__sim_power_of_forces(const sph2d_sim *sim);
 
 /** Elastic energy of a kilogram of particle i (state_equation.h, projection.h) [J/kg]. */

@@ -5,14 +5,14 @@
  *  Powers are sampled every so many steps, and integrated over time by the trapezoidal rule,
  *
  *      walls      sum_b v_b . F_b            F_b force of boundary particle b on the liquid by pressure and friction
- *      forces     sum_i m v_i . f_i          f_i interactions, the pointer, the frame of a tank, gravity along a period
+ *      forces     sum_i m v_i . f_i          f_i what has no potential: forces/forces.h
  *      viscosity  sum_i m v_i . (a_i(v) - a_i(-v))/2
  *      diffusion  sum_i m p_i/rho_i^2 drho_i/dt, likewise: fitted operators
  *
- *  Viscous forces are odd in velocity, all others even. Two evaluations of the method's own forces, with the velocities
- *  and with all of them reversed, therefore give the exact power of friction. The dissipated heat is minus
- *  this power plus the work of moving walls by friction, which is part of the first line. Spring walls have a potential
- *  (sph2d__sim_energy_of) and a damping, which is summed separately: it is clamped, and so not odd.
+ *  Viscous forces are odd in velocity, pressures even. Two evaluations of the method's own forces, with the velocities
+ *  and with all of them reversed, therefore give the exact power of friction, less what the forces of forces/forces.h
+ *  that are odd do, too, whose table books each by itself. The dissipated heat is minus this power plus the work of
+ *  moving walls by friction, which is part of the first line.
  *
  *  The work of walls on bodies by contact is booked with each step, as the solver for contacts tells it (bodies.c).
  *
@@ -107,38 +107,23 @@ double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt)
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
-sph2d_vec2 sph2d__sim_driving_acceleration(const sph2d_sim *sim, double x, double y, double vx, double vy)
+/** Power of the forces without a potential whose work is of a kind [W/m]. */
+static double power_of(const sph2d_sim *sim, sph2d__work_kind kind)
 {
-    const sph2d__body *b = &sim->system.body;
-    const sph2d__period *p = &sim->system.fluid_cells.period;
-    double ax = p->length_x > 0 ? b->gravity_x : 0, ay = p->length_y > 0 ? b->gravity_y : 0;
-    if (b->frame.moves)
-        sph2d__frame_add(&b->frame, x, y, vx, vy, &ax, &ay);
-    for (size_t k = 0; k < b->point_count; ++k)
-        sph2d__point_force_add(&b->points[k], x, y, &ax, &ay);
-    return (sph2d_vec2){ax, ay};
-}
-
-/** Whether interactions, a tank that moves, or gravity along periods drive the liquid. */
-static bool is_driven(const sph2d_sim *sim)
-{
-    const sph2d__body *b = &sim->system.body;
-    const sph2d__period *p = &sim->system.fluid_cells.period;
-    return b->point_count > 0 || b->frame.moves || (p->length_x > 0 && b->gravity_x != 0) ||
-           (p->length_y > 0 && b->gravity_y != 0);
+    const sph2d__store *f = &sim->system.fluid;
+    const sph2d__forces *forces = &sim->system.forces;
+    double power = 0;
+    for (size_t i = 0; i < f->count && sph2d__forces_drive_at_all(forces, kind); ++i) {
+        double ax = 0, ay = 0;
+        sph2d__forces_drive(forces, kind, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &ax, &ay);
+        power += f->vx[i] * ax + f->vy[i] * ay;
+    }
+    return sim->system.mass * power;
 }
 
 double sph2d__sim_power_of_forces(const sph2d_sim *sim)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    double power = 0, bodies = sph2d__bodies_power(sim);
-    if (!is_driven(sim))
-        return bodies;
-    for (size_t i = 0; i < f->count; ++i) {
-        sph2d_vec2 a = sph2d__sim_driving_acceleration(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
-        power += f->vx[i] * a.x + f->vy[i] * a.y;
-    }
-    return sim->system.mass * power + bodies;
+    return power_of(sim, SPH2D__WORK) + sph2d__bodies_power(sim);
 }
 
 void sph2d__sim_book_external_work(sph2d_sim *sim)
@@ -159,7 +144,8 @@ void sph2d__sim_book_external_work(sph2d_sim *sim)
 
 bool sph2d__sim_external_work_is_booked(const sph2d_sim *sim)
 {
-    bool none = sim->method->mean_forces && sim->bodies.count == 0 && (sim->method->books_all || !is_driven(sim));
+    bool none = sim->method->mean_forces && sim->bodies.count == 0 &&
+                (sim->method->books_all || !sph2d__forces_drive_at_all(&sim->system.forces, SPH2D__WORK));
     return none || sim->record.drives_time == sim->record.time;
 }
 
@@ -186,7 +172,7 @@ static void reverse_all(sph2d_sim *sim)
     reverse(f);
     reverse(&s->walls);
     if (sim->moving_count > 0)
-        s->body.frame.omega = -s->body.frame.omega;
+        s->forces.frame.omega = -s->forces.frame.omega;
 }
 
 /** Evaluates the forces with all velocities reversed. */
@@ -212,18 +198,17 @@ static double dot_accelerations(const sph2d__store *f)
     return sum;
 }
 
-/** The power of the spring walls' damping, less the odd part of their force, which the viscous power already has. */
-static double power_of_dampers(const sph2d__system *s)
+/** Power of what of the forces is odd in velocity, which the table of forces books by itself. */
+static double odd_power(const sph2d__system *s)
 {
     const sph2d__store *f = &s->fluid;
     double power = 0;
-    for (size_t i = 0; i < f->count && s->body.springs.stiffness > 0; ++i) {
-        double forward[2] = {0, 0}, reversed[2] = {0, 0}, at_rest[2] = {0, 0};
-        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], f->vx[i], f->vy[i], &forward[0], &forward[1]);
-        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], -f->vx[i], -f->vy[i], &reversed[0], &reversed[1]);
-        sph2d__spring_walls_add(&s->body.springs, f->x[i], f->y[i], 0, 0, &at_rest[0], &at_rest[1]);
-        power += f->vx[i] * ((forward[0] + reversed[0]) / 2 - at_rest[0]) +
-                 f->vy[i] * ((forward[1] + reversed[1]) / 2 - at_rest[1]);
+    for (size_t i = 0; i < f->count && sph2d__forces_vary(&s->forces); ++i) {
+        double forward[2] = {0, 0}, reversed[2] = {0, 0};
+        sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &forward[0], &forward[1]);
+        sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], -f->vx[i], -f->vy[i]}, &reversed[0],
+                          &reversed[1]);
+        power += f->vx[i] * (forward[0] - reversed[0]) / 2 + f->vy[i] * (forward[1] - reversed[1]) / 2;
     }
     return s->mass * power;
 }
@@ -243,20 +228,9 @@ static void swap_accelerations(sph2d__store *f)
     swap(&f->ay, leapfrog ? &f->old_ay : &f->next_y);
 }
 
-/** Whether anything in the scene resists motion, but what a step books itself. */
-static bool is_viscous(const sph2d_sim *sim)
-{
-    const sph2d__system *s = &sim->system;
-    const sph2d_method_options *m = &s->method;
-    return (s->viscosity > 0 && !s->implicit.on) || (m->artificial_viscosity > 0 && !sim->method->project) ||
-           s->body.springs.stiffness > 0;
-}
-
 static bool find_viscous_power(sph2d_sim *sim, double *power)
 {
     sph2d__system *s = &sim->system;
-    if (!is_viscous(sim))
-        return true;
     double forward = dot_accelerations(&s->fluid);
     swap_accelerations(&s->fluid);
     bool ok = true;
@@ -267,7 +241,7 @@ static bool find_viscous_power(sph2d_sim *sim, double *power)
     ok = evaluate_reversed(sim) && ok;
     double reversed = dot_accelerations(&s->fluid);
     swap_accelerations(&s->fluid);
-    *power = s->mass * (forward - reversed) / 2 + power_of_dampers(s);
+    *power = s->mass * (forward - reversed) / 2 - odd_power(s) + power_of(sim, SPH2D__LOSS);
     return ok;
 }
 
@@ -302,7 +276,8 @@ bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt)
     sum_rates(sim, &forward, &there);
     double span = r->time + dt - r->booked_time;
     r->energy_diffused -= integrate(&r->power_diffusion, (s->mass * back + s->mass * there) / 2, span);
-    r->energy_viscous -= integrate(&r->power_viscous, s->mass * (forward - reversed) / 2, span);
+    const double viscous = s->mass * (forward - reversed) / 2 - odd_power(s) + power_of(sim, SPH2D__LOSS);
+    r->energy_viscous -= integrate(&r->power_viscous, viscous, span);
     return true;
 }
 

@@ -233,21 +233,6 @@ static sph2d_status place_sides(sph2d_sim *sim, sph2d_report *report)
     return SPH2D_OK;
 }
 
-static void set_springs(sph2d_sim *sim)
-{
-    const sph2d_scene *scene = &sim->scene;
-    double dx = scene->spacing, c0 = sim->system.sound_speed;
-    bool spring = scene->walls == SPH2D_WALL_SPRING;
-    sph2d__spring_walls *w = &sim->system.body.springs;
-    w->left = spring && scene->boundary.left == SPH2D_SIDE_WALL ? scene->domain.min.x : -INFINITY;
-    w->right = spring && scene->boundary.right == SPH2D_SIDE_WALL ? scene->domain.max.x : INFINITY;
-    w->bottom = spring && scene->boundary.bottom == SPH2D_SIDE_WALL ? scene->domain.min.y : -INFINITY;
-    w->top = spring && scene->boundary.top == SPH2D_SIDE_WALL ? scene->domain.max.y : INFINITY;
-    w->range = dx / 2;
-    w->stiffness = c0 * c0 / (dx * dx);
-    w->damping = 2 * scene->wall_damping * sqrt(w->stiffness);
-}
-
 /** Makes the array of angular velocities, if any obstacle turns. False when memory is short. */
 static bool make_spins(sph2d_sim *sim)
 {
@@ -294,6 +279,5 @@ sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
         status = sph2d__sim_set_slips(sim);
     if (status != SPH2D_OK)
         return status;
-    set_springs(sim);
     return finish_walls(sim) ? SPH2D_OK : SPH2D_NOMEM;
 }

@@ -5,7 +5,7 @@
 #define SPH2D_METHODS_COMMON_SYSTEM_H
 
 #include "base/memory.h"
-#include "methods/common/body.h"
+#include "forces/forces.h"
 #include "methods/common/profile.h"
 #include "particles/cells.h"
 #include "particles/neighbours.h"
@@ -99,7 +99,7 @@ typedef struct sph2d__system {
     const unsigned char *wall_slips;
     bool walls_rough, walls_smooth; /**< some have no slip, or the friction of smooth walls */
     double slip_length;             /**< of smooth walls [m] */
-    sph2d__body body;
+    sph2d__forces forces;
 
     sph2d_vec2
         external; /**< force on the liquid but that of walls and bodies, in the mean over the last step, where the

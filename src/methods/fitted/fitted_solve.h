@@ -112,7 +112,7 @@ static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums
         size_t i = g->first + (size_t)lane;
         double push = -sph2d__sound_speed2_at(s, f->density[i]) / f->density[i];
         double own_ax = ax[lane] + push * dx[2][lane], own_ay = ay[lane] + push * dy[2][lane];
-        sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &own_ax, &own_ay);
+        sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &own_ax, &own_ay);
         f->ax[i] = own_ax;
         f->ay[i] = own_ay;
         f->density_rate[i] = rate[lane];

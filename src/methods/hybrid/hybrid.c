@@ -80,10 +80,10 @@ void sph2d__hybrid_begin_order(sph2d__system *s)
 static void accelerate(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    const sph2d__body body = s->body; /* a copy, so that what it lacks is looked at once */
+    const sph2d__forces body = s->forces; /* a copy, so that what it lacks is looked at once */
     for (size_t i = first; i < last; ++i) {
         f->ax[i] = f->ay[i] = 0;
-        sph2d__body_add(&body, f->x[i], f->y[i], f->vx[i], f->vy[i], &f->ax[i], &f->ay[i]);
+        sph2d__forces_add(&body, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &f->ax[i], &f->ay[i]);
     }
 }
 
@@ -119,7 +119,7 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
     const double fall = sqrt(2 * s->head);
     *limit = SPH2D__LIMIT_FIXED;
     const double fastest = fall > 0 ? fall : speed > 0 ? speed : s->support;
-    const double swung = s->body.central_rate2 > 0 ? 2 * SWING / sqrt(s->body.central_rate2) : INFINITY;
+    const double swung = s->forces.central.rate2 > 0 ? 2 * SWING / sqrt(s->forces.central.rate2) : INFINITY;
     return fmin(fmin(s->method.cfl * s->support / fastest, swung), sph2d__tension_step(s));
 }
 

@@ -137,7 +137,7 @@ static bool evaluate(sph2d__system *s)
 static void side_push(const sph2d__system *s, size_t i, double push[4])
 {
     const sph2d__store *f = &s->fluid;
-    const sph2d__spring_walls *w = &s->body.springs;
+    const sph2d__springs *w = &s->forces.springs;
     const double distances[4] = {f->x[i] - w->left, w->right - f->x[i], f->y[i] - w->bottom, w->top - f->y[i]};
     sph2d__side_part parts[2];
     sph2d__sides_at(s, f->x[i], f->y[i], parts);

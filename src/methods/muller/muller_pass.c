@@ -105,7 +105,7 @@ static void force(sph2d__system *s, size_t first, size_t last)
         for (int l = 0; l < g.count; ++l) {
             size_t i = g.first + (size_t)l;
             double ax = fx[l] / f->density[i], ay = fy[l] / f->density[i];
-            sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &ax, &ay);
+            sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &ax, &ay);
             add_side_force(s, i, &ax, &ay);
             f->ax[i] = ax;
             f->ay[i] = ay;

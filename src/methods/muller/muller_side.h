@@ -39,7 +39,7 @@ static inline void sph2d__side_add(const sph2d__system *s, double d, sph2d__side
 /** Both, for the left and right side in parts[0], for bottom and top in parts[1]. */
 static inline void sph2d__sides_at(const sph2d__system *s, double x, double y, sph2d__side_part parts[2])
 {
-    const sph2d__spring_walls *w = &s->body.springs;
+    const sph2d__springs *w = &s->forces.springs;
     const double distances[4] = {x - w->left, w->right - x, y - w->bottom, w->top - y};
     parts[0] = parts[1] = (sph2d__side_part){0, 0};
     for (int k = 0; k < 4; ++k)

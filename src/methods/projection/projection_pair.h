@@ -64,7 +64,7 @@ SPH2D__INLINE void finish_acceleration(sph2d__system *s, size_t i, const slice *
 {
     double drag = s->implicit.on ? 0 : 2 * (s->viscosity / s->rest_density);
     double ax = drag * sum->drag.x[l], ay = drag * sum->drag.y[l];
-    sph2d__body_add(&s->body, sum->x[l], sum->y[l], sum->vx[l], sum->vy[l], &ax, &ay);
+    sph2d__forces_add(&s->forces, (sph2d__place){sum->x[l], sum->y[l], sum->vx[l], sum->vy[l]}, &ax, &ay);
     s->fluid.ax[i] = ax;
     s->fluid.ay[i] = ay;
 }

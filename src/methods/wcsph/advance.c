@@ -44,9 +44,9 @@ static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         w->dx[k] = z->px[i] - f->x[i] + z->shift_x[i];
         w->dy[k] = z->py[i] - f->y[i] + z->shift_y[i];
-        w->diffused -=
-            sim->system.mass * (sph2d__sim_potential_of(sim, z->px[i] + z->shift_x[i], z->py[i] + z->shift_y[i]) -
-                                sph2d__sim_potential_of(sim, z->px[i], z->py[i]));
+        w->diffused -= sim->system.mass * (sph2d__forces_potential(&sim->system.forces, z->px[i] + z->shift_x[i],
+                                                                   z->py[i] + z->shift_y[i]) -
+                                           sph2d__forces_potential(&sim->system.forces, z->px[i], z->py[i]));
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
     }
@@ -204,12 +204,11 @@ static void report(sph2d__system *s, size_t first, size_t last)
 /** The external force, before what acoustic steps add. */
 static void start_external(sph2d__system *s)
 {
-    const sph2d__body *b = &s->body;
-    const sph2d__period *p = &s->fluid_cells.period;
-    s->frozen->driven = b->frame.moves || b->point_count > 0 || b->central_rate2 != 0 ||
-                        (p->length_x > 0 && b->gravity_x != 0) || (p->length_y > 0 && b->gravity_y != 0);
+    const sph2d__forces *forces = &s->forces;
+    s->frozen->varies = sph2d__forces_vary(forces);
+    s->frozen->driven = s->frozen->varies || sph2d__forces_drive_at_all(forces, SPH2D__WORK);
     const double mass = s->frozen->driven ? 0 : s->mass * (double)s->fluid.count;
-    s->external = (sph2d_vec2){mass * b->gravity_x, mass * b->gravity_y};
+    s->external = (sph2d_vec2){mass * forces->gravity.x, mass * forces->gravity.y};
 }
 
 /** As many as the liquid needs, with the viscosity that it has now, and bodies. */

@@ -63,7 +63,7 @@ static void start(sph2d__system *s, size_t first, size_t last)
         take_density(s, i);
         f->stored[i] = sph2d__side_energy(s, f->x[i], f->y[i]);
         f->ax[i] = f->ay[i] = 0;
-        sph2d__body_add(&s->body, f->x[i], f->y[i], f->vx[i], f->vy[i], &f->ax[i], &f->ay[i]);
+        sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &f->ax[i], &f->ay[i]);
     }
 }
 

@@ -206,7 +206,7 @@ typedef struct sph2d__frozen {
     bool sticks, rubs, pulls;   /**< some walls have no slip, are smooth; there is surface tension */
     bool holds;                 /**< there are openings */
     bool thick;                 /**< viscosity is stable in acoustic steps, not in a whole step at once */
-    bool driven;                /**< external forces are not one that is the same everywhere and has a potential */
+    bool varies, driven;        /**< external forces are not the same everywhere; or not one with a potential */
     sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
     sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
     size_t row_count, row_capacity;

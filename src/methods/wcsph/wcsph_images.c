@@ -153,8 +153,8 @@ double sph2d__side_energy(const sph2d__system *s, double x, double y)
 {
     const sph2d__frozen *z = s->frozen;
     const sph2d__sides *d = &z->sides;
-    return 2 * s->body.gravity_x * (by_distance(s, z->lift, d->high_x - x) - by_distance(s, z->lift, x - d->low_x)) +
-           2 * s->body.gravity_y * (by_distance(s, z->lift, d->high_y - y) - by_distance(s, z->lift, y - d->low_y));
+    return 2 * s->forces.gravity.x * (by_distance(s, z->lift, d->high_x - x) - by_distance(s, z->lift, x - d->low_x)) +
+           2 * s->forces.gravity.y * (by_distance(s, z->lift, d->high_y - y) - by_distance(s, z->lift, y - d->low_y));
 }
 
 void sph2d__images_start(sph2d__system *s)

@@ -197,15 +197,26 @@ SPH2D__INLINE sph2d__lanes repelled(const sph2d__system *s, size_t i, vectors n,
 SPH2D__INLINE vectors fall(const sph2d__system *s, size_t i, vectors v)
 {
     const sph2d__frozen *z = s->frozen;
-    const sph2d__body *b = &s->body;
+    const sph2d__forces *forces = &s->forces;
     const vectors at = load(z->px, z->py, i);
-    vectors a = {b->gravity_x - b->central_rate2 * (at.x - b->center_x),
-                 b->gravity_y - b->central_rate2 * (at.y - b->center_y)};
-    if (!b->frame.moves && b->point_count == 0)
-        return a;
+    vectors a = {sph2d__lanes_all(forces->gravity.x), sph2d__lanes_all(forces->gravity.y)};
+    for (int l = 0; z->varies && l < SPH2D__LANES && i + (size_t)l < s->fluid.count; ++l) {
+        double ax = 0, ay = 0;
+        sph2d__forces_add(forces, (sph2d__place){at.x[l], at.y[l], v.x[l], v.y[l]}, &ax, &ay);
+        a.x[l] = ax;
+        a.y[l] = ay;
+    }
+    return a;
+}
+
+/** The part of it whose work is of a kind, and is booked. */
+SPH2D__INLINE vectors drive_of(const sph2d__system *s, size_t i, vectors v, sph2d__work_kind kind)
+{
+    const vectors at = load(s->frozen->px, s->frozen->py, i);
+    vectors a = {{0}, {0}};
     for (int l = 0; l < SPH2D__LANES && i + (size_t)l < s->fluid.count; ++l) {
         double ax = 0, ay = 0;
-        sph2d__body_add(b, at.x[l], at.y[l], v.x[l], v.y[l], &ax, &ay);
+        sph2d__forces_drive(&s->forces, kind, (sph2d__place){at.x[l], at.y[l], v.x[l], v.y[l]}, &ax, &ay);
         a.x[l] = ax;
         a.y[l] = ay;
     }
@@ -237,17 +248,15 @@ SPH2D__INLINE void rub(const sph2d__system *s, size_t i, vectors v, vectors *a, 
     *drag = (vectors){drag->x + m * by.x, drag->y + m * by.y};
 }
 
-/** Sums up external forces, and the work of those that have no potential. */
-SPH2D__INLINE void drive(const sph2d__system *s, size_t i, size_t last, vectors a, vectors middle, sph2d__slab_sum *sum)
+/** Sums up external forces `a`, at velocity v, and the work of those that have no potential. */
+SPH2D__INLINE void drive(const sph2d__system *s, size_t i, size_t last, vectors a, vectors v, vectors middle,
+                         sph2d__slab_sum *sum)
 {
-    const sph2d__body *b = &s->body;
-    const sph2d__period *p = &s->fluid_cells.period;
-    const vectors at = load(s->frozen->px, s->frozen->py, i);
-    const vectors rest = {a.x + b->central_rate2 * (at.x - b->center_x) - (p->length_x > 0 ? 0 : b->gravity_x),
-                          a.y + b->central_rate2 * (at.y - b->center_y) - (p->length_y > 0 ? 0 : b->gravity_y)};
+    const double impulse = s->mass * s->frozen->dt;
     add_lanes(&sum->x, s->mass * a.x, i, last);
     add_lanes(&sum->y, s->mass * a.y, i, last);
-    add_lanes(&sum->fourth, s->mass * s->frozen->dt * dot(rest, middle), i, last);
+    add_lanes(&sum->fourth, impulse * dot(drive_of(s, i, v, SPH2D__WORK), middle), i, last);
+    add_lanes(&sum->second, impulse * dot(drive_of(s, i, v, SPH2D__LOSS), middle), i, last);
 }
 
 /** Particles in reservoirs keep their velocity. */
@@ -339,9 +348,10 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
         brake = add_walls(s, i, f, &force);
     const bool imaged = z->imaged[i / SPH2D__LANES] > 0;
     vectors driven = fall(s, i, v);
-    if (s->body.frame.moves) { /* Coriolis' force by the velocity in the middle: of second order, and without work */
-        const vectors to = {v.x + dt / 2 * (driven.x + force.x / m), v.y + dt / 2 * (driven.y + force.y / m)};
-        driven = fall(s, i, to);
+    vectors at = v;
+    if (z->varies) { /* Coriolis' force by the velocity in the middle: of second order, and without work */
+        at = (vectors){v.x + dt / 2 * (driven.x + force.x / m), v.y + dt / 2 * (driven.y + force.y / m)};
+        driven = fall(s, i, at);
     }
     vectors a = driven, turned = {0};
     const bool mirrored = z->images.count > 0;
@@ -364,7 +374,7 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
         hold(s, i, last, v, &a, sum);
     const vectors middle = {v.x + dt / 2 * a.x, v.y + dt / 2 * a.y}, next = {v.x + dt * a.x, v.y + dt * a.y};
     if (z->driven)
-        drive(s, i, last, driven, middle, sum);
+        drive(s, i, last, driven, at, middle, sum);
     sph2d__lanes work = dt * dot(d, middle);
     if (mirrored)
         work += dt * m * dot(turned, middle);
