@@ -281,7 +281,7 @@ class Signals(unittest.TestCase):
         whole.run_to(0.3)
         while parts.time < 0.3:
             interrupts += self.interrupted(0.002 + 0.001 * interrupts, parts.run_to, 0.3)
-        self.assertGreater(interrupts, 2)
+        self.assertGreater(interrupts, 0)
         self.assertEqual(parts.steps, whole.steps)
         np.testing.assert_array_equal(parts.fluid.x, whole.fluid.x)
 
