@@ -80,10 +80,10 @@ void sph2d__hybrid_begin_order(sph2d__system *s)
 static void accelerate(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
-    const sph2d__forces body = s->forces; /* a copy, so that what it lacks is looked at once */
+    const sph2d__forces forces = s->forces; /* a copy, so that what it lacks is looked at once */
     for (size_t i = first; i < last; ++i) {
         f->ax[i] = f->ay[i] = 0;
-        sph2d__forces_add(&body, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &f->ax[i], &f->ay[i]);
+        sph2d__forces_add(&forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &f->ax[i], &f->ay[i]);
     }
 }
 
