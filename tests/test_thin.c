@@ -33,6 +33,7 @@ static void start_with(double thick)
     scene.blocks = blocks;
     scene.block_count = 2;
     scene.side_slip.bottom = SPH2D_WALL_SLIP_FREE; /* on purpose, also where the liquid is thick */
+    scene.method.name = SPH2D_METHOD_PCISPH;
 }
 
 /** Whether the scene is warned of, and is sound apart from that. */
@@ -136,6 +137,17 @@ START_TEST(discs_and_polygons_are_measured_across)
 }
 END_TEST
 
+/** The default method sees nothing through walls of a spacing or more. */
+START_TEST(faces_hide_what_is_behind_them)
+{
+    start_with(_i ? 1.1 : 0.9); /* thickness is told to a tenth of a spacing */
+    scene.method.name = SPH2D_METHOD_WCSPH;
+    ck_assert_int_eq(is_warned("obstacles[0].box"), !_i);
+    if (!_i)
+        ck_assert_str_eq(report.items[0].hint, "make it 0.025 m thick or thicker, or the spacing 0.022 m");
+}
+END_TEST
+
 START_TEST(walls_of_one_layer_are_as_thick_as_the_support)
 {
     /* muller: H = 2 dx. A line has no thickness at all. */
@@ -159,7 +171,7 @@ START_TEST(layers_are_whole_and_the_support_is_not)
 {
     /* H = 2.6 dx: three layers; of one layer H itself counts. */
     start_with(2.8);
-    scene.method.name = _i ? SPH2D_METHOD_MULLER : SPH2D_METHOD_WCSPH;
+    scene.method.name = _i ? SPH2D_METHOD_MULLER : SPH2D_METHOD_PCISPH;
     scene.method.support_ratio = 2.6;
     scene.fluid.dynamic_viscosity = 1000;
     ck_assert_int_eq(is_warned("obstacles[0].box"), !_i);
@@ -188,6 +200,7 @@ Suite *suite_thin(void)
     tcase_add_loop_test(tests, no_warning_where_both_sides_press_the_same, 0, 6);
     tcase_add_loop_test(tests, gravity_says_what_is_high, 0, 2);
     tcase_add_loop_test(tests, discs_and_polygons_are_measured_across, 0, 3);
+    tcase_add_loop_test(tests, faces_hide_what_is_behind_them, 0, 2);
     tcase_add_loop_test(tests, walls_of_one_layer_are_as_thick_as_the_support, 0, 3);
     tcase_add_loop_test(tests, layers_are_whole_and_the_support_is_not, 0, 2);
     tcase_add_test(tests, a_line_that_becomes_a_solid_is_thick_enough);

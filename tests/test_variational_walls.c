@@ -167,6 +167,58 @@ START_TEST(a_floor_gives_no_energy)
 }
 END_TEST
 
+/** Mean height of the liquid from x0 to x1. */
+static double mean_height(double x0, double x1)
+{
+    const sph2d_view f = sph2d_sim_fluid(thrown.sim);
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < f.count; ++i)
+        if (f.x[i] > x0 && f.x[i] < x1) {
+            sum += f.y[i];
+            ++count;
+        }
+    return sum / count;
+}
+
+/** Liquids on both sides of a wall a spacing thick do not see each other. */
+START_TEST(a_thin_wall_holds_a_head)
+{
+    lay_out(0.02, (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.49, 0}, {0.51, 0.55}}});
+    sph2d_block blocks[] = {test_block(0, 0, 0.49, 0.4), test_block(0.51, 0, 1, 0.2)};
+    thrown.scene.domain = (sph2d_box){{0, 0}, {1, 0.6}};
+    thrown.scene.boundary = sph2d_scene_default().boundary;
+    thrown.scene.blocks = blocks;
+    thrown.scene.block_count = 2;
+    sph2d_summary s = run_until(1.5);
+    balances(&s);
+    ck_assert_uint_eq(s.backstop_hits, 0);
+    ck_assert_double_le(fabs(mean_height(0, 0.5) / 0.2 - 1), 0.012);
+    ck_assert_double_le(fabs(mean_height(0.5, 1) / 0.1 - 1), 0.012);
+    ck_assert_double_le(s.kinetic, 3e-4 * s.energy_scale);
+    sph2d_sim_destroy(thrown.sim);
+}
+END_TEST
+
+/** A wedge of 1 to 30 in a tank at rest drives no flow, by which the tank would lose volume. */
+START_TEST(a_wedge_leaves_a_tank_at_rest)
+{
+    static const sph2d_vec2 wedge[] = {{0.3, 0.3}, {1.8, 0.32}, {1.8, 0.35}};
+    lay_out(0.025, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {wedge, 3}});
+    thrown.block = test_block(0, 0, 2, 0.6);
+    thrown.scene.domain = (sph2d_box){{0, 0}, {2, 1}};
+    thrown.scene.boundary = sph2d_scene_default().boundary;
+    sph2d_summary s = run_until(1.5);
+    balances(&s);
+    const double before = mean_height(0, 2);
+    while (sph2d_sim_time(thrown.sim) < 3)
+        test_steps(thrown.sim, 1);
+    s = sph2d_sim_summary(thrown.sim);
+    ck_assert_double_le(fabs(mean_height(0, 2) / before - 1), 1e-3);
+    ck_assert_double_le(s.kinetic, 2e-4 * s.energy_scale);
+    sph2d_sim_destroy(thrown.sim);
+}
+END_TEST
+
 Suite *suite_variational_walls(void)
 {
     Suite *suite = suite_create("variational_walls");
@@ -178,6 +230,8 @@ Suite *suite_variational_walls(void)
     tcase_add_test(tests, a_jet_leaves_a_duct_straight);
     tcase_add_test(tests, a_box_sinks_to_a_mirror);
     tcase_add_test(tests, a_floor_gives_no_energy);
+    tcase_add_test(tests, a_thin_wall_holds_a_head);
+    tcase_add_test(tests, a_wedge_leaves_a_tank_at_rest);
     suite_add_tcase(suite, tests);
     return suite;
 }

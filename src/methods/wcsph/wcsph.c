@@ -91,6 +91,9 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
         z->part[b] * s->walls.mass[b] / s->rest_density * sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
     const double slope = weight * sph2d__kernel_slope_at(s->method.kernel, sqrt(dx * dx + dy * dy) / s->support);
     volatile float gx = (float)(slope * dx), gy = (float)(slope * dy); /* as rounded as they act */
+    const double more = sph2d__thickness(s, i, b);
+    gx = (float)((double)gx + more * (double)gx);
+    gy = (float)((double)gy + more * (double)gy);
     const double x = (double)gx, y = (double)gy;
     const double ax = z->bxx[i] * x + z->bxy[i] * y, ay = z->bxy[i] * x + z->byy[i] * y;
     const double pull = z->mean_ex[i] * dx + z->mean_ey[i] * dy;

@@ -21,6 +21,8 @@ typedef struct sums {
 /** What walls add. */
 typedef struct wall_sums {
     sph2d__lanes value, xx, xy, yy, gx, gy, kx, ky;
+    sph2d__lanes around; /* sum |G . n| of what is seen behind the face, past its end */
+    sph2d__lanes ex, ey; /* G of what is behind, less what walls have in its place */
 } wall_sums;
 
 /** a in lanes where left > right, b in the others. */
@@ -167,33 +169,57 @@ SPH2D__INLINE void clear(sph2d__frozen *z, size_t first)
         sph2d__lanes_store(all[k] + first, (sph2d__lanes){0});
 }
 
-/** Sums of the liquid alone, f, with its images, and of walls. */
-SPH2D__INLINE void finish(const sph2d__system *s, size_t first, const sums *f, const sums *all, const wall_sums *w,
-                          sph2d_kernel kernel)
+/** The part of M - F by thickened walls that is left for them: M is at most 1 in the mean of its directions. Boundary particles
+ *  in a tip that ends in nothing are few and press much more, all of it near the particle. */
+SPH2D__INLINE sph2d__lanes fitting(const symmetric *fluid, const symmetric *thick, const wall_sums *walls)
+{
+    const sph2d__lanes none = {0}, trace = thick->xx + thick->yy,
+                       most = sph2d__lanes_max(2 - fluid->xx - fluid->yy, walls->xx + walls->yy);
+    return clamp(sph2d__lanes_where(trace, none, most / trace));
+}
+
+SPH2D__INLINE wall_sums sum_of(const wall_sums *a, const wall_sums *b)
+{
+    return (wall_sums){.value = a->value + b->value,
+                       .xx = a->xx + b->xx,
+                       .xy = a->xy + b->xy,
+                       .yy = a->yy + b->yy,
+                       .gx = a->gx + b->gx,
+                       .gy = a->gy + b->gy,
+                       .kx = a->kx + b->kx,
+                       .ky = a->ky + b->ky};
+}
+
+/** Sums of the liquid alone, f, with its images, of walls, of the liquid behind them, and M - F by walls as
+ *  thick as they press. */
+SPH2D__INLINE void finish(const sph2d__system *s, size_t first, const sums *f, const sums *all, const wall_sums *walls,
+                          const wall_sums *behind, symmetric thick, sph2d_kernel kernel)
 {
     sph2d__frozen *z = s->frozen;
     const sph2d__lanes none = {0}, one = sph2d__lanes_all(1);
-    const symmetric fluid = {f->xx, f->xy, f->yy}, wall = {w->xx, w->xy, w->yy}, seen = {all->xx, all->xy, all->yy};
+    const wall_sums w = sum_of(walls, behind);
+    const symmetric fluid = {f->xx, f->xy, f->yy}, wall = {w.xx, w.xy, w.yy}, seen = {all->xx, all->xy, all->yy};
     const symmetric both = {seen.xx + wall.xx, seen.xy + wall.xy, seen.yy + wall.yy};
     const double ratio = s->spacing / s->support;
-    const sph2d__lanes filled = w->value * (sph2d__kernel_constant(kernel) * ratio * ratio),
+    const sph2d__lanes filled = w.value * (sph2d__kernel_constant(kernel) * ratio * ratio),
                        beside = left_beside(filled);
     const symmetric m = inverse_of(both, SPH2D__LEAST);
     const symmetric b = evened((symmetric){1 + beside * (m.xx - 1), beside * m.xy, 1 + beside * (m.yy - 1)}, z->uneven);
     const symmetric a = inverse_of(seen, LEAST_FLUID), alone = inverse_of(fluid, LEAST_FLUID);
     const sph2d__lanes det = det_of(seen), reach = clamp((det - SMOOTH_FROM) * (1 / (SMOOTH_TO - SMOOTH_FROM)));
     const sph2d__lanes walled =
-        sph2d__lanes_where(w->value, none, sph2d__lanes_where(det, sph2d__lanes_all(LEAST_FLUID), one));
+        sph2d__lanes_where(w.value, none, sph2d__lanes_where(det, sph2d__lanes_all(LEAST_FLUID), one));
     const sph2d__lanes strain = find_slopes(z, first, f, all, a, alone, walled);
-    shift(s, first, strain, all->gx + w->gx, all->gy + w->gy);
-    find_turn(z, first, b, wall, a, walled);
-    const sph2d__lanes kx = all->kx + w->kx, ky = all->ky + w->ky;
-    const sph2d__lanes sum = (sph2d__kernel_value_at(kernel, 0) + all->value + w->value) * (1 / s->lattice_values);
+    shift(s, first, strain, all->gx + w.gx, all->gy + w.gy);
+    const sph2d__lanes turned = walled * fitting(&seen, &thick, walls);
+    find_turn(z, first, b, thick, a, turned);
+    const sph2d__lanes kx = all->kx + w.kx, ky = all->ky + w.ky;
+    const sph2d__lanes sum = (sph2d__kernel_value_at(kernel, 0) + all->value + w.value) * (1 / s->lattice_values);
     const sph2d__lanes left = s->fills ? one : left_by_surface(z, sph2d__lanes_sqrt(kx * kx + ky * ky) / sum);
     sph2d__lanes_store(z->summed + first,
                        summed_apart(density_of(sph2d__lanes_load(s->fluid.excess + first)), sum, left, det_of(both)));
     sph2d__lanes_store(z->smooth + first, reach * reach * (3 - 2 * reach));
-    sph2d__lanes_store(z->walled + first, walled);
+    sph2d__lanes_store(z->walled + first, turned);
     keep(z->axx, z->axy, z->ayy, first, a);
     keep(z->bxx, z->bxy, z->byy, first, b);
     sph2d__lanes_store(z->nx + first, all->gx);

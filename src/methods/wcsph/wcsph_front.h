@@ -21,8 +21,8 @@ SPH2D__INLINE sph2d__lanes within(const sph2d__system *s, const uint32_t *b, sph
 
 /** Sums over the walls of a slice. */
 typedef struct shape_sums {
-    symmetric normals;         /* |G| n n^T, and 1 for n n^T where two faces of a thin wall have no normal */
-    sph2d__lanes wx, wy;       /* G */
+    symmetric normals;   /* |G| n n^T of faces that look at the particle, and 1 for n n^T where there is no normal */
+    sph2d__lanes wx, wy; /* G */
     sph2d__lanes weight, bend; /* |G| between the sides, and |G| n . o, o from a particle to the wall's surface at b */
     sph2d__lanes nx, ny, x, y; /* |G| n, |G| o */
     sph2d__lanes foot; /* how much of a row there is at the surface at a particle's foot: 1 in front of a face */
@@ -42,9 +42,10 @@ SPH2D__INLINE shape_sums sum_shape(const sph2d__system *s, size_t k, uint32_t sl
                            ny = sph2d__lanes_gather(s->walls.normal_y, b),
                            depth = sph2d__lanes_gather(s->walls.depth, b);
         const sph2d__lanes blunt = size * sph2d__lanes_where(0.5 - nx * nx - ny * ny, none, one);
-        sum.normals.xx += size * nx * nx + blunt;
-        sum.normals.xy += size * nx * ny;
-        sum.normals.yy += size * ny * ny + blunt;
+        const sph2d__lanes faces = within(s, b, sph2d__lanes_where(rx * nx + ry * ny, none, size));
+        sum.normals.xx += faces * nx * nx + blunt;
+        sum.normals.xy += faces * nx * ny;
+        sum.normals.yy += faces * ny * ny + blunt;
         sum.wx += gx;
         sum.wy += gy;
         const sph2d__lanes ox = sph2d__lanes_where(size, none, depth * nx - rx),
@@ -99,6 +100,10 @@ typedef struct directions {
     sph2d__lanes part; /* of C */
 } directions;
 
+/* By which part a flat wall may seem to have an edge, by rounding: where it did, at random, walls pressed along themselves, by
+ * their rows of boundary particles, and liquid at rest on a slope moved. */
+static const double FLAT = 1e-9;
+
 /** Q of the walls in slots from k on. In inner corners walls also press across the largest eigenvalue's direction, as far as
  *  liquid presses against them: of the far wall of a corner a particle sees little, so that by normals alone it had a small
  *  part of its force on liquid at rest, and what is in the corner bore the rest, up to 3.7 rho g H. A corner is an inner one
@@ -109,11 +114,14 @@ typedef struct directions {
  *  along a face would be held. Walls that a particle is not before, as its foot is beyond their end, press no more than
  *  liquid presses against them, in each direction: a jet that leaves a duct would take itself for liquid that leaves a
  *  wall. */
-SPH2D__INLINE directions directions_of(const sph2d__system *s, size_t first, size_t k, uint32_t slots)
+SPH2D__INLINE directions directions_of(const sph2d__system *s, size_t first, size_t k, uint32_t slots,
+                                       const wall_sums *behind)
 {
     const sph2d__frozen *z = s->frozen;
     const sph2d__lanes none = {0}, one = sph2d__lanes_all(1);
-    const shape_sums sum = sum_shape(s, k, slots);
+    shape_sums sum = sum_shape(s, k, slots);
+    sum.wx += behind->ex;
+    sum.wy += behind->ey;
     const axes a = axes_of(sum.normals);
     const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + first), bxy = sph2d__lanes_load(z->bxy + first),
                        byy = sph2d__lanes_load(z->byy + first);
@@ -124,7 +132,8 @@ SPH2D__INLINE directions directions_of(const sph2d__system *s, size_t first, siz
     const sph2d__lanes by_t = balanced(walls, across(a.t, wx, wy, px, py)),
                        by_e = balanced(across(a.e, wx, wy, wx, wy), across(a.e, wx, wy, px, py));
     const sph2d__lanes unit = sph2d__lanes_where(a.largest, none, 1 / a.largest);
-    const sph2d__lanes inner = sph2d__lanes_where(sum.nx * sum.x + sum.ny * sum.y, sum.bend * sum.weight, one);
+    const sph2d__lanes inner =
+        sph2d__lanes_where(sum.nx * sum.x + sum.ny * sum.y, (1 + FLAT) * sum.bend * sum.weight, one);
     /* not more than those have whose normals are that way: flat walls and slits have none */
     const sph2d__lanes most = sph2d__lanes_where(walls, none, a.other / sph2d__lanes_sqrt(walls));
     const sph2d__lanes more = inner * sph2d__lanes_max(sph2d__lanes_min(by_t, most) - unit * a.other, none);
@@ -183,7 +192,7 @@ SPH2D__INLINE void find_front(const sph2d__system *s, size_t first, size_t k, ui
 
 /** Sums over the walls of a slice whose B are known. Walls act along their normals alone, as smooth as they are, but for
  *  the pressure's gradient. */
-SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2d__slice *at)
+SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2d__slice *at, const wall_sums *behind)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__store *w = &s->walls;
@@ -193,7 +202,7 @@ SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2
     sph2d__lanes sx = {0}, sy = {0}, rate = {0}, tx = {0}, ty = {0}, away = {0}, weight = {0};
     size_t k = at->begin + (size_t)at->fluid * SPH2D__LANES;
     find_front(s, first, k, at->walls);
-    const directions to = directions_of(s, first, k, at->walls);
+    const directions to = directions_of(s, first, k, at->walls, behind);
     const symmetric q = to.q;
     take_turn(z, first, to.part);
     sph2d__lanes_store(z->wall_xx + first, q.xx);

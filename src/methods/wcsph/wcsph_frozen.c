@@ -249,6 +249,13 @@ static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
     sum->most = !sph2d__wcsph_gather_find(s->isa)->gather[s->method.kernel](s, slab->first / SPH2D__SLAB);
 }
 
+static void see_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    (void)sum;
+    sph2d__wcsph_gather_find(s->isa)->see(s, slab->first / SPH2D__SLAB);
+}
+
 /* The most that Z is. */
 static const double DAMPING = 0.1;
 /* The largest g c0 dt of a particle. With g = (|B| + |C|) sum |G| + |S| no row of D has a larger sum than 2 g. On a lattice
@@ -300,6 +307,11 @@ bool sph2d__frozen_gather(sph2d__system *s)
         end_rows(s);
         sph2d__over_particles(s, s->fluid.count, keep_state);
         sph2d__images_start(s);
+        s->frozen->thin = s->walls_press && s->frozen->sides.first > 0;
+        if (s->frozen->thin) {
+            sph2d__over_fluid(s, see_slab, NULL);
+            sph2d__images_of_sight(s);
+        }
         if (sph2d__over_fluid(s, gather_slab, NULL).most == 0)
             break;
     }

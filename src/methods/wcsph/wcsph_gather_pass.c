@@ -9,6 +9,7 @@
 #include "methods/common/slices.h"
 #include "methods/wcsph/wcsph_finish.h"
 #include "methods/wcsph/wcsph_front.h"
+#include "methods/wcsph/wcsph_sight.h"
 
 /* (|G| H)^2 of pairs that are none: at the end of the support, or what a list ends with. */
 static const double NO_PAIR = 1e-20;
@@ -54,7 +55,8 @@ SPH2D__INLINE kept keep_pairs(const sph2d__system *s, const sums *own, const sph
 }
 
 /** Sums over the fluid's slots. */
-SPH2D__INLINE void sum_fluid(const sph2d__system *s, size_t begin, uint32_t slots, sph2d_kernel kernel, sums *to)
+SPH2D__INLINE void sum_fluid(const sph2d__system *s, size_t first, size_t begin, uint32_t slots, sph2d_kernel kernel,
+                             sums *to, wall_sums *behind)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
@@ -63,6 +65,8 @@ SPH2D__INLINE void sum_fluid(const sph2d__system *s, size_t begin, uint32_t slot
     sum.value += kernels.value;
     sum.kx += kernels.kx;
     sum.ky += kernels.ky;
+    if (s->frozen->thin)
+        hide_pairs(s, first, begin, slots, kernel, &sum, behind);
     for (size_t k = begin; k < begin + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
         const uint32_t *j = n->index + k;
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
@@ -139,11 +143,11 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
                 .vx = own.a,
                 .vy = own.b,
                 .theta = own.c};
-    wall_sums walls = {0};
+    wall_sums walls = {0}, behind = {0};
     *at = (sph2d__slice){.begin = to->next};
     sph2d__pairs_search(to, &to->fluid, &s->fluid_cells, f, f, first, h2, true, NULL);
     at->fluid = sph2d__pairs_write(n, to, f->count);
-    sum_fluid(s, at->begin, at->fluid, kernel, &sum);
+    sum_fluid(s, first, at->begin, at->fluid, kernel, &sum, &behind);
     sums all = sum;
     uint32_t *imaged = &s->frozen->imaged[first / SPH2D__LANES];
     *imaged = 0;
@@ -153,7 +157,7 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
         *imaged = sph2d__pairs_write(n, to, s->frozen->images.count);
         for (size_t k = start; k < start + (size_t)*imaged * SPH2D__LANES; ++k)
             n->index[k] += (uint32_t)s->frozen->first_image;
-        sum_fluid(s, start, *imaged, kernel, &all);
+        sum_fluid(s, first, start, *imaged, kernel, &all, &behind);
         at->fluid += *imaged;
     }
     if (s->walls_press && s->frozen->sides.first > 0) {
@@ -162,9 +166,25 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
         sum_walls(s, at, &sum, kernel, &walls);
     }
     s->frozen->close[first / SPH2D__LANES] = write_close(s, to, at);
-    finish(s, first, &sum, &all, &walls, kernel);
+    const symmetric thick = thicken(s, first, at->begin + (size_t)at->fluid * SPH2D__LANES, at->walls, &walls, &behind);
+    finish(s, first, &sum, &all, &walls, &behind, thick, kernel);
     if (at->walls > 0)
-        finish_walls(s, first, at);
+        finish_walls(s, first, at, &behind);
+}
+
+/** Finds the faces that particles of slab k are before. */
+static void see_slab(sph2d__system *s, size_t k)
+{
+    sph2d__neighbours *n = &s->neighbours;
+    sph2d__pairs to = sph2d__pairs_start(n, k);
+    const size_t begin = to.next, count = s->fluid.count,
+                 end = (k + 1) * SPH2D__SLAB < count ? (k + 1) * SPH2D__SLAB : count;
+    for (size_t i = k * SPH2D__SLAB; i < end && !to.full; i += SPH2D__LANES, to.next = begin) {
+        sph2d__pairs_search(&to, &to.walls, &s->wall_cells, &s->walls, &s->fluid, i, s->support * s->support, false,
+                            NULL);
+        const uint32_t slots = sph2d__pairs_write(n, &to, s->walls.count);
+        find_sight(s, i, begin, slots);
+    }
 }
 
 /** Gathers for the particles of slab k. False when it is full. */
@@ -252,4 +272,4 @@ SPH2D_KERNEL_MAP(FOR_KERNEL)
 
 #define ENTRY(name, word) [SPH2D_KERNEL_##name] = gather_##word,
 const sph2d__wcsph_gather_pass SPH2D__OF_ISA(sph2d__wcsph_gather) = {
-    .lanes = SPH2D__LANES, .gather = {SPH2D_KERNEL_MAP(ENTRY)}, .compare = compare};
+    .lanes = SPH2D__LANES, .see = see_slab, .gather = {SPH2D_KERNEL_MAP(ENTRY)}, .compare = compare};

@@ -186,6 +186,18 @@ void sph2d__images_start(sph2d__system *s)
     }
 }
 
+static void sight_of(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t k = first; k < last; ++k) {
+        const image m = image_at(z, k);
+        const size_t i = z->first_image + k;
+        z->sight[i] = z->sight[m.of];
+        z->sight_x[i] = m.x * z->sight_x[m.of];
+        z->sight_y[i] = m.y * z->sight_y[m.of];
+    }
+}
+
 static void slopes_of(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
@@ -237,6 +249,10 @@ static void rest_of(sph2d__system *s, size_t first, size_t last)
     }
 }
 
+void sph2d__images_of_sight(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->frozen->images.count, sight_of);
+}
 void sph2d__images_of_slopes(sph2d__system *s)
 {
     sph2d__over_particles(s, s->frozen->images.count, slopes_of);
