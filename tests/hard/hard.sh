@@ -45,7 +45,7 @@ for name in "${names[@]}"; do
 done
 rm "$folder/json" "$folder/told"
 
-# A listed failure: STUDY|ROW|MEASURE|what was seen.
+# A listed failure: STUDY|ROW|MEASURE|its error.
 grep -v '^#' "$here/known_failures" | awk -F '|' -v lines="$folder/lines" '
     { known[$1 "|" $2 "|" $3] = $4 + 0 }
     function shown(x) { return x ~ /^-?[0-9.]/ ? sprintf("%.4g", x) : x == "" ? "-" : x }
