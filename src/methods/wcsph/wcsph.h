@@ -285,15 +285,21 @@ void sph2d__images_of_pressure(sph2d__system *system);
 void sph2d__images_of_rest(sph2d__system *system);
 void sph2d__frozen_free(sph2d__system *system);
 
-/** By which factor boundary particle b presses on particle i: wcsph_sight.h. */
+/** Whether boundary particle b is between the domain's sides. */
+static inline bool sph2d__within_sides(const sph2d__system *s, size_t b)
+{
+    const sph2d__store *w = &s->walls;
+    const sph2d__sides *d = &s->frozen->sides;
+    return w->x[b] > d->low_x && w->x[b] < d->high_x && w->y[b] > d->low_y && w->y[b] < d->high_y;
+}
+
+/** By how much more boundary particle b presses on particle i, as part of a face that is thin: wcsph_sight.h. */
 static inline double sph2d__thickness(const sph2d__system *s, size_t i, size_t b)
 {
     const sph2d__frozen *z = s->frozen;
     const sph2d__store *w = &s->walls;
-    const sph2d__sides *d = &z->sides;
-    const bool within = w->x[b] > d->low_x && w->x[b] < d->high_x && w->y[b] > d->low_y && w->y[b] < d->high_y;
     const bool on_face = z->sight_x[i] * w->normal_x[b] + z->sight_y[i] * w->normal_y[b] > 0;
-    return within && on_face ? z->thicker[i] : 0;
+    return on_face && sph2d__within_sides(s, b) ? z->thicker[i] : 0;
 }
 
 /** The part of boundary particle b, at -r of particle i, in the walls that this is in front of: wcsph_front.h. */
@@ -302,11 +308,9 @@ static inline double sph2d__front_share(const sph2d__system *s, size_t i, size_t
 {
     const sph2d__frozen *z = s->frozen;
     const sph2d__store *w = &s->walls;
-    const sph2d__sides *d = &z->sides;
-    const bool within = w->x[b] > d->low_x && w->x[b] < d->high_x && w->y[b] > d->low_y && w->y[b] < d->high_y;
     const bool before = rx * w->normal_x[b] + ry * w->normal_y[b] > w->depth[b];
     const double along = rx * w->normal_y[b] - ry * w->normal_x[b];
-    return within && before && along * along < s->spacing * s->spacing && z->front_weight[i] > 0
+    return sph2d__within_sides(s, b) && before && along * along < s->spacing * s->spacing && z->front_weight[i] > 0
                ? sqrt(gx * gx + gy * gy) / z->front_weight[i]
                : 0;
 }

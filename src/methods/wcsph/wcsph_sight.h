@@ -52,7 +52,7 @@ SPH2D__INLINE void find_sight(const sph2d__system *s, size_t first, size_t k, ui
     sph2d__lanes_store(z->sight_y + first, ny);
 }
 
-/** Takes the pairs of a slice that a wall is between out of `kept`, and adds them to what is behind walls. They are those
+/** Takes the pairs of a slice that a wall is between out of its own sums, and adds them to what is behind walls. They are those
  *  that are each behind the face that the other is before, if the faces look away from each other. */
 SPH2D__INLINE void hide_pairs(const sph2d__system *s, size_t first, size_t at, uint32_t slots, sph2d_kernel kernel,
                               sums *own, wall_sums *behind)
@@ -96,7 +96,7 @@ SPH2D__INLINE void hide_pairs(const sph2d__system *s, size_t first, size_t at, u
 /* Part of what is beyond a plane that is missed for certain: sums over rows of boundary particles differ by less. */
 static const double KNOWN = 0.85;
 /* Over the part of a plane that liquid behind a wall fills, from which on none of it counts as empty. */
-static const double HALF = 2;
+static const double COUNTS = 2;
 
 /** sum |G| beyond a plane at these distances [1/m]. */
 SPH2D__INLINE sph2d__lanes beyond_plane(const sph2d__system *s, sph2d__lanes distance)
@@ -139,7 +139,7 @@ SPH2D__INLINE sph2d__lanes thickness_of(const sph2d__system *s, size_t first, si
     const sph2d__lanes wall = -(nx * wx + ny * wy), liquid = -(nx * behind->gx + ny * behind->gy);
     const sph2d__lanes empty = sph2d__lanes_where(
         sph2d__lanes_all(s->support), distance,
-        sph2d__lanes_max(KNOWN * beyond_plane(s, distance) - solid - HALF * (liquid + behind->around), none));
+        sph2d__lanes_max(KNOWN * beyond_plane(s, distance) - solid - COUNTS * (liquid + behind->around), none));
     const sph2d__lanes more = sph2d__lanes_where(wall, none, sph2d__lanes_max(liquid + empty, none) / wall);
     behind->ex = behind->gx - empty * nx - more * wx;
     behind->ey = behind->gy - empty * ny - more * wy;
