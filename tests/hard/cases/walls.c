@@ -48,18 +48,21 @@ static void falling(outcome *o)
                     depth, height + 0.06))
         return;
     const cloud start = cloud_of(s.sim);
-    double off = 0, fastest = 0;
+    double off = 0, fastest = 0, sum_x = 0, sum_y = 0, count = 0;
     const double contact = sqrt(2 * (height - depth - 0.12) / 9.81);
     stage_run(&s, 0.9 * contact);
     const cloud before = cloud_of(s.sim);
     for (size_t i = 0; i < before.count && before.count == start.count; ++i)
-        if (start.y[i] > depth + 0.1)
-            off = fmax(
-                off, hypot(before.x[i] - start.x[i], before.y[i] - start.y[i] + 9.81 * before.time * before.time / 2));
+        if (start.y[i] > depth + 0.1) {
+            const double x = before.x[i] - start.x[i];
+            const double y = before.y[i] - start.y[i] + 9.81 * before.time * before.time / 2;
+            off = fmax(off, hypot(x, y)), sum_x += x, sum_y += y, ++count;
+        }
     while (sph2d_sim_time(s.sim) < 1 && stage_steps(&s, 1))
         fastest = fmax(fastest, speed_of(s.sim));
     tell(o, "stopped by a guard", s.status != SPH2D_OK, 0);
     tell(o, "off free flight / m", off, 1e-9);
+    tell(o, "centre off free flight / m", hypot(sum_x, sum_y) / count, 1e-9);
     tell(o, "speed at most / impact", fastest / impact, 1.5);
     stage_close(&s);
 }
