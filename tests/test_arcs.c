@@ -248,7 +248,7 @@ START_TEST(nothing_passes_an_arc_that_turns)
                  {SPH2D_METHOD_PCISPH, SPH2D_WALL_REFLECT},
                  {SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY},
                  {SPH2D_METHOD_PCISPH, SPH2D_WALL_GENERALISED},
-                 {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_HEAVY}};
+                 {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED}};
     static const sph2d_arc scoop = {{0.5, 0.5}, 0.25, 0, 1.5 * TEST_PI};
     enum { MOST = 4000 };
     static int sides[MOST];

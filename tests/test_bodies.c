@@ -231,7 +231,7 @@ static const struct {
     {"pcisph, light, one row", SPH2D_METHOD_PCISPH, SPH2D_WALL_HEAVY, 50, 0},
     {"constraint", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED, 400, 5},
     {"constraint, light", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED, 50, 0},
-    {"constraint, heavy, one row", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_HEAVY, 20000, 0},
+    {"constraint, heavy", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED, 2000, 0},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -246,6 +246,12 @@ static sph2d_sim *pool_of(int kind, int threads)
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = threads;
     return test_create(&pool.scene, &options);
+}
+
+/** Methods that sum up forces over a step, in floats. */
+static bool floating(int kind)
+{
+    return kinds[kind].method == SPH2D_METHOD_WCSPH || kinds[kind].method == SPH2D_METHOD_CONSTRAINT;
 }
 
 /** Momentum of liquid and body. */
@@ -275,10 +281,10 @@ START_TEST(what_the_liquid_loses_the_body_gains)
         }
         sph2d_vec2 after = momentum_of(sim);
         const sph2d__twist gap = sim->bodies.items[0].state->gap; /* of a film that no particle is in */
-        const bool wcsph = kinds[_i].method == SPH2D_METHOD_WCSPH;
-        largest = fmax(largest, fabs(after.x - before.x + sides.x - (wcsph ? gap.x * dt : 0)));
+        const bool floats = floating(_i);
+        largest = fmax(largest, fabs(after.x - before.x + sides.x - (floats ? gap.x * dt : 0)));
         largest =
-            fmax(largest, fabs(after.y - before.y + sides.y + 9.81 * (liquid + body) * dt - (wcsph ? gap.y * dt : 0)));
+            fmax(largest, fabs(after.y - before.y + sides.y + 9.81 * (liquid + body) * dt - (floats ? gap.y * dt : 0)));
     }
     ck_assert_double_gt(fabs(sph2d_sim_body(sim, 0).velocity.x), 1e-3); /* it was pushed */
     ck_assert_msg(largest < 1e-10 * scale, "%s: %g of the scale", kinds[_i].name, largest / scale);
@@ -297,14 +303,14 @@ START_TEST(impulses_on_a_body_are_what_it_gains)
     pool.probes[RAFT].at = (sph2d_vec2){0.76, 0.36};
     sim = test_create(&pool.scene, NULL);
     const sph2d__rigid *r = &sim->bodies.items[0];
-    const bool wcsph = kinds[_i].method == SPH2D_METHOD_WCSPH;
+    const bool floats = floating(_i);
     double values[SPH2D_PROBE_MAX_COLUMNS], x = 0, y = 0, turn = 0, largest = 0, turned = 0, fastest = 0;
     while (sph2d_sim_time(sim) < 0.2) {
         const double time = sph2d_sim_time(sim);
         sph2d_sim_output_done(sim, SPH2D_OUTPUT_PROBE + RAFT);
         test_steps(sim, 1);
         ck_assert_uint_eq(sph2d_sim_probe(sim, RAFT, values), 12);
-        const double dt = wcsph ? sph2d_sim_time(sim) - time : 0;
+        const double dt = floats ? sph2d_sim_time(sim) - time : 0;
         x += values[9] + dt * r->state->gap.x; /* and of a film that no particle is in */
         y += values[10] + dt * r->state->gap.y;
         turn += values[11] + dt * r->state->gap.turn;
@@ -316,9 +322,9 @@ START_TEST(impulses_on_a_body_are_what_it_gains)
         fastest = fmax(fastest, r->mass * fabs(b.velocity.x));
     }
     ck_assert_double_gt(fastest, 1e-3 * r->mass);
-    ck_assert_msg(largest < (wcsph ? 1e-6 : 1e-10) * fastest, "%s: %g of %g kg/s", kinds[_i].name, largest, fastest);
-    /* Known weakness of wcsph: forces are those of the middle of a step, and the point of torques is where it began. */
-    ck_assert_msg(turned < (wcsph ? 0.03 : 1e-10) * fastest, "%s: %g of %g kg/s", kinds[_i].name, turned, fastest);
+    ck_assert_msg(largest < (floats ? 1e-6 : 1e-10) * fastest, "%s: %g of %g kg/s", kinds[_i].name, largest, fastest);
+    /* Known weakness of both: forces are those of the middle of a step, and the point of torques is where it began. */
+    ck_assert_msg(turned < (floats ? 0.03 : 1e-10) * fastest, "%s: %g of %g kg/s", kinds[_i].name, turned, fastest);
     sph2d_sim_destroy(sim);
 }
 END_TEST
@@ -540,7 +546,7 @@ END_TEST
  *  impulse that comes after the drift in the next step only. */
 START_TEST(a_body_on_a_floor_has_half_a_kick_and_stays)
 {
-    bool kicks = _i == SPH2D_METHOD_WCSPH || _i == SPH2D_METHOD_MULLER;
+    bool kicks = _i != SPH2D_METHOD_PCISPH && _i != SPH2D_METHOD_HYBRID;
     start_alone();
     pool.scene.method.name = (sph2d_method)_i;
     pool.body.velocity = (sph2d_vec2){0, 0};

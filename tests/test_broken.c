@@ -96,6 +96,8 @@ START_TEST(everything_can_be_read_when_a_step_has_failed)
 {
     enum { STEPS = 25 };
     scene.method.name = methods[_i];
+    if (methods[_i] == SPH2D_METHOD_CONSTRAINT)
+        scene.method.sound_speed = 0; /* for this fall: the source pours at 0.8 of the scene's */
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = 1;
     options.allocator.resize = resize;
@@ -115,7 +117,7 @@ START_TEST(everything_can_be_read_when_a_step_has_failed)
             ++broken;
             read_all(sim);
         } else {
-            ck_assert_int_eq(status, SPH2D_OK);
+            ck_assert_msg(status == SPH2D_OK, "%s", test_report_text(&report));
             ck_assert_uint_gt(broken, 10);
         }
         sph2d_sim_destroy(sim);

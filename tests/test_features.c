@@ -208,11 +208,6 @@ static void set_shifting(stage *s)
     s->scene.method.shifting = 0.5;
 }
 
-static void set_damping(stage *s)
-{
-    s->scene.method.damping = 3;
-}
-
 static void set_tolerance(stage *s)
 {
     s->scene.method.tolerance = 2e-4;
@@ -248,27 +243,26 @@ static const struct feature {
     {"boundary.top", FREE, set_open},
     {"boundary.left", ALL, set_periodic},
     {"wall_slip", ALL & ~MULLER, set_rough},
-    {"wall_slip", WCSPH, set_smooth},
+    {"wall_slip", WCSPH | CONSTRAINT, set_smooth},
     {"fluid.surface_tension", FREE, set_tension},
     {"central_force", ALL, set_central},
     {"interactions", ALL, set_pull},
     {"sources", FREE, set_source},
     {"drains", FREE, set_drain},
     {"obstacles", ALL, set_obstacle_default},
-    {"obstacles[0].form", MULLER | PCISPH | CONSTRAINT, set_obstacle_heavy},
+    {"obstacles[0].form", MULLER | PCISPH, set_obstacle_heavy},
     {"obstacles[0].form", ALL & ~MULLER, set_obstacle_layered},
-    {"obstacles[0].form", ALL & ~WCSPH, set_obstacle_reflecting},
+    {"obstacles[0].form", ALL & ~(WCSPH | CONSTRAINT), set_obstacle_reflecting},
     {"obstacles[0].motion", ALL, set_obstacle_moving},
     {"walls", MULLER, set_spring},
-    {"walls", MULLER | PCISPH | CONSTRAINT, set_heavy},
-    {"walls", ALL & ~WCSPH, set_reflecting},
+    {"walls", MULLER | PCISPH, set_heavy},
+    {"walls", ALL & ~(WCSPH | CONSTRAINT), set_reflecting},
     {"walls", ALL & ~MULLER, set_layers},
     {"method.kernel", WCSPH | PCISPH | CONSTRAINT, set_cubic},
     {"method.state_equation", FITTED, set_tait},
-    {"method.artificial_viscosity", MULLER | PCISPH | CONSTRAINT, set_alpha},
+    {"method.artificial_viscosity", MULLER | PCISPH, set_alpha},
     {"method.density_diffusion", FITTED, set_delta},
     {"method.shifting", FITTED, set_shifting},
-    {"method.damping", CONSTRAINT, set_damping},
     {"method.tolerance", CONSTRAINT, set_tolerance},
     {"method.criterion", PCISPH, set_criterion},
     {"method.min_iterations", PCISPH, set_min_iterations},

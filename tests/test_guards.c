@@ -129,8 +129,9 @@ START_TEST(a_step_past_the_neighbours_is_refused)
     bool limited = wcsph || _i == SPH2D_METHOD_CONSTRAINT || _i == SPH2D_METHOD_PCISPH;
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), limited ? SPH2D_SCENE : SPH2D_OK);
     ck_assert(test_report_has(&report, SPH2D_CODE_OUT_OF_RANGE, "method.cfl") == limited);
-    const char *hint =
-        wcsph ? "use 0.25 or less, or leave it out for 0.2" : "use 0.4 or less, or leave it out for 0.16";
+    const char *hint = wcsph                           ? "use 0.25 or less, or leave it out for 0.2"
+                       : _i == SPH2D_METHOD_CONSTRAINT ? "use 0.4 or less, or leave it out for 0.32"
+                                                       : "use 0.4 or less, or leave it out for 0.16";
     ck_assert(!limited || strstr(report.items[report.count - 1].hint, hint));
 }
 END_TEST

@@ -94,7 +94,7 @@ START_TEST(lines_know_where_liquid_is)
     obstacles[0].liquid = SPH2D_LIQUID_RIGHT;
     obstacles[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_LINE, .line = {line, 2}};
     obstacles[1].form = SPH2D_WALL_REFLECT;
-    scene.method.name = SPH2D_METHOD_CONSTRAINT;
+    scene.method.name = SPH2D_METHOD_PCISPH;
     scene.obstacles = obstacles;
     scene.obstacle_count = 2;
     sph2d_sim *sim = test_create(&scene, NULL);

@@ -636,9 +636,10 @@ START_TEST(stiff_blocks_start_near_rest_density)
         sph2d_method method;
         double spacing; /* over that of the scene */
         bool refused;
-    } cases[] = {{SPH2D_METHOD_WCSPH, 0.96, false},     {SPH2D_METHOD_WCSPH, 0.95, true},
-                 {SPH2D_METHOD_WCSPH, 1.05, false},     {SPH2D_METHOD_WCSPH, 1.06, true},
-                 {SPH2D_METHOD_CONSTRAINT, 0.8, false}, {SPH2D_METHOD_MULLER, 0.1, false}};
+    } cases[] = {{SPH2D_METHOD_WCSPH, 0.96, false},      {SPH2D_METHOD_WCSPH, 0.95, true},
+                 {SPH2D_METHOD_WCSPH, 1.05, false},      {SPH2D_METHOD_WCSPH, 1.06, true},
+                 {SPH2D_METHOD_CONSTRAINT, 0.96, false}, {SPH2D_METHOD_CONSTRAINT, 0.95, true},
+                 {SPH2D_METHOD_PCISPH, 0.8, false},      {SPH2D_METHOD_MULLER, 0.1, false}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         scene.method = sph2d_scene_default().method;
         scene.method.name = cases[k].method;

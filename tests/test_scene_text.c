@@ -102,7 +102,7 @@ static const char *const goldens[] = {
     "name: belts\n"
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nwalls: reflect\nwall_slip: none\n"
     "wall_speeds:\n  left: 1\n  right: -1\n  bottom: 0.5\n  top: -0.5\ngravity: [0, 0]\nspacing: 0.05\n"
-    "method:\n  name: constraint\n  kernel: quintic\n  artificial_viscosity: 0.02\n"
+    "method:\n  name: pcisph\n  kernel: quintic\n  artificial_viscosity: 0.02\n"
     "blocks:\n"
     "  - box:\n      min: [0.25, 0.25]\n      max: [0.75, 0.75]\n"
     "run:\n  snapshots:\n    every: 0.5\n  frames:\n    per_second: 25\n",
@@ -154,7 +154,7 @@ static const char *const goldens[] = {
     "  - name: in\n    kind: opening\n    on: in\n    every: 0.5\n",
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
-    "method:\n  name: constraint\n  damping: 5\n  tolerance: 1e-06\n  max_iterations: 50\n"
+    "method:\n  name: constraint\n  tolerance: 1e-06\n  max_iterations: 50\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "kernels/kernel.h"
-#include "methods/projection/local_correction.h"
 #include "sim/simulation.h"
 #include "simd/lanes.h"
 #include "tank.h"
@@ -56,7 +55,7 @@ END_TEST
 START_TEST(pressure_makes_no_energy)
 {
     /* Liquid that starts in too little room takes its room without ever moving by itself. */
-    column(both[_i], 0, 0);
+    column(SPH2D_METHOD_PCISPH, 0, 0);
     tank.scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
     tank.scene.gravity.y = 0;
     tank.scene.method.sound_speed = 10;
@@ -126,7 +125,9 @@ START_TEST(too_few_iterations_are_counted_and_stop_a_run_in_the_end)
     column(both[_i], 0.3, 0.6);
     tank.scene.method.max_compression = 1e-5;
     tank.scene.method.tolerance = both[_i] == SPH2D_METHOD_CONSTRAINT ? 1e-12 : 0;
-    tank.scene.method.max_iterations = 1;
+    /* The first is along what a solve starts from, which is no solution for close pairs. */
+    const uint64_t each = both[_i] == SPH2D_METHOD_CONSTRAINT ? 2 : 1;
+    tank.scene.method.max_iterations = each;
     tank_start();
     sph2d_report report = {0};
     uint64_t steps = 0;
@@ -135,186 +136,12 @@ START_TEST(too_few_iterations_are_counted_and_stop_a_run_in_the_end)
     sph2d_summary s = sph2d_sim_summary(tank.sim);
     ck_assert_uint_ge(steps, 99);
     ck_assert_uint_lt(steps, 150);
-    ck_assert_uint_eq(s.iterations, s.steps);
+    ck_assert_uint_eq(s.iterations, each * s.steps);
     ck_assert_uint_ge(s.unconverged, 100);
     ck_assert(isfinite(s.kinetic));
     ck_assert(test_report_has(&report, SPH2D_CODE_NOT_CONVERGED, "method.max_iterations"));
     ck_assert_ptr_nonnull(
-        strstr(test_report_text(&report), _i == 0 ? "the tolerance is 1e-05" : "the tolerance is 1e-12"));
-}
-END_TEST
-
-/* ---- rows that the linear system leaves compressed --------------------------------------------------------------- */
-
-/** One of the instruction sets: what is corrected one by one reads pairs that loops of their width have laid. */
-static sph2d_isa isa_of(int index)
-{
-    return (sph2d_isa)(SPH2D_ISA_BASELINE + index);
-}
-
-/** Particles in a periodic box that pass close by each other in a step of 2 ms, with nothing solved for. NULL where the
- *  processor has not this instruction set. */
-static sph2d__system *passing(sph2d_isa isa)
-{
-    if (!sph2d_isa_available(isa))
-        return NULL;
-    tank_empty(SPH2D_METHOD_CONSTRAINT, DX, 16 * DX, 16 * DX, 0);
-    tank.scene.boundary =
-        (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC};
-    tank.scene.gravity.y = 0;
-    tank.scene.method.sound_speed = 10;
-    tank_add(0, 0, 16 * DX, 16 * DX);
-    tank.sim = another(1, isa);
-    sph2d__system *s = &tank.sim->system;
-    uint64_t random = 11;
-    s->step = 2e-3;
-    for (size_t i = 0; i < s->fluid.count; ++i) {
-        s->fluid.vx[i] = test_random(&random, -2, 2);
-        s->fluid.vy[i] = test_random(&random, -2, 2);
-        s->fluid.multiplier[i] = s->fluid.acting_pressure[i] = s->fluid.ax[i] = s->fluid.ay[i] = 0;
-        s->fluid.diagonal[i] = 1 / s->fluid.diagonal[i];
-    }
-    return s;
-}
-
-/** The largest compression when all have gone a step, all particles with each other. */
-static double largest_ahead(const sph2d__system *s)
-{
-    const sph2d__store *f = &s->fluid;
-    double most = 0, dt = s->step, h = s->support, side = 16 * DX;
-    for (size_t i = 0; i < f->count; ++i) {
-        double sum = 0;
-        for (size_t j = 0; j < f->count; ++j) {
-            double dx = f->x[i] - f->x[j] + dt * (f->vx[i] - f->vx[j] + dt * (f->ax[i] - f->ax[j]));
-            double dy = f->y[i] - f->y[j] + dt * (f->vy[i] - f->vy[j] + dt * (f->ay[i] - f->ay[j]));
-            double q = hypot(remainder(dx, side), remainder(dy, side)) / h;
-            sum += sph2d__kernel_value_at(s->method.kernel, q);
-        }
-        double density = s->calibration * s->mass * sph2d__kernel_constant(s->method.kernel) / (h * h) * sum;
-        most = fmax(most, density / RHO0 - 1);
-    }
-    return most;
-}
-
-START_TEST(stragglers_are_brought_back)
-{
-    sph2d__system *s = passing(isa_of(_i));
-    if (!s)
-        return;
-    ck_assert_double_gt(largest_ahead(s), 0.2);
-    for (int k = 0; k < 2; ++k)
-        sph2d__stragglers_correct(s, 0.05, 0);
-    ck_assert_double_le(largest_ahead(s), 0.06); /* pairs that the step begins too far apart for are not looked for */
-}
-END_TEST
-
-/* With a share that explains all of it nothing is done; nor where nothing is compressed as much. */
-START_TEST(what_pressure_explains_stays)
-{
-    sph2d__system *s = passing(isa_of(_i));
-    if (!s)
-        return;
-    for (size_t i = 0; i < s->fluid.count; ++i)
-        s->fluid.multiplier[i] = 1;
-    sph2d__stragglers_correct(s, 0.05, 1);
-    sph2d__stragglers_correct(s, 1, 0);
-    for (size_t i = 0; i < s->fluid.count; ++i) {
-        ck_assert_double_eq(s->fluid.multiplier[i], 1);
-        ck_assert_double_eq(s->fluid.ax[i], 0);
-    }
-}
-END_TEST
-
-/* What corrections push is D' of what they add to the multipliers, and has no momentum. */
-START_TEST(corrections_push_like_multipliers)
-{
-    sph2d__system *s = passing(isa_of(_i));
-    if (!s)
-        return;
-    sph2d__store *f = &s->fluid;
-    double dt2 = s->step * s->step, x = 0, y = 0, most = 0;
-    sph2d__stragglers_correct(s, 0.05, 0);
-    for (size_t i = 0; i < f->count; ++i) {
-        ck_assert_double_ge(f->multiplier[i], 0);
-        ck_assert_double_le(f->acting_pressure[i], 0); /* none is raised above the largest */
-        f->direction[i] = sph2d__splat(f->multiplier[i]);
-        most = fmax(most, hypot(f->ax[i], f->ay[i]));
-        x += f->ax[i];
-        y += f->ay[i];
-    }
-    ck_assert_double_gt(most, 100);
-    ck_assert_double_le(hypot(x, y), 1e-12 * most * (double)f->count);
-    sph2d__projection_apply_transpose(s);
-    for (size_t i = 0; i < f->count; ++i) {
-        float push[2];
-        memcpy(push, &f->push[i], sizeof push);
-        ck_assert_double_eq_tol(f->ax[i], -push[0] / dt2, 1e-5 * most);
-        ck_assert_double_eq_tol(f->ay[i], -push[1] / dt2, 1e-5 * most);
-    }
-}
-END_TEST
-
-/* A pressure is that of its multiplier, up to the largest that there was. */
-START_TEST(corrections_raise_pressures)
-{
-    sph2d__system *s = passing(SPH2D_ISA_AUTO);
-    sph2d__store *f = &s->fluid;
-    const double share = s->moment * RHO0 / (s->step * s->step);
-    f->acting_pressure[0] = 1e12;
-    sph2d__stragglers_correct(s, 0.05, 0);
-    double most = 0;
-    for (size_t i = 1; i < f->count; ++i) {
-        ck_assert_double_eq_tol(f->acting_pressure[i], share * f->multiplier[i], 1e-9 * share);
-        most = fmax(most, f->multiplier[i]);
-    }
-    ck_assert_double_gt(most, 1e-6);
-}
-END_TEST
-
-/* Liquid at rest that a wall will come nearer to by a third of a spacing is pushed ahead of it, and one that a wall
- * will leave is let be. */
-START_TEST(walls_that_come_push_stragglers)
-{
-    bool up = _i / 2, comes = _i % 2 == 0;
-    column(SPH2D_METHOD_CONSTRAINT, 0.3, 0.3);
-    tank.scene.method.sound_speed = 10;
-    tank_start();
-    sph2d__system *s = &tank.sim->system;
-    sph2d__store *f = &s->fluid, *w = &s->walls;
-    s->step = 1e-3;
-    for (size_t i = 0; i < f->count; ++i) {
-        f->vx[i] = f->vy[i] = f->ax[i] = f->ay[i] = f->multiplier[i] = f->acting_pressure[i] = 0;
-        f->diagonal[i] = 1 / f->diagonal[i];
-    }
-    for (size_t b = 0; b < w->count; ++b)
-        (up ? w->vy : w->vx)[b] = (comes ? 1 : -1) * 0.33 * DX / s->step;
-    sph2d__stragglers_correct(s, 0.05, 0);
-    double ahead = 0, any = 0;
-    for (size_t i = 0; i < f->count; ++i) {
-        ahead = fmax(ahead, up ? f->ay[i] : f->ax[i]);
-        any = fmax(any, hypot(f->ax[i], f->ay[i]));
-    }
-    if (comes)
-        ck_assert_double_gt(ahead * s->step * s->step, 0.01 * DX);
-    else
-        ck_assert_double_eq(any, 0);
-}
-END_TEST
-
-/* A column that falls together at large steps: the largest of all compressions. */
-START_TEST(the_largest_compression_is_bounded)
-{
-    tank_empty(SPH2D_METHOD_CONSTRAINT, DX, 2, 2, 0.001);
-    tank_add(0, 0, 0.5, 1);
-    tank.scene.method.support_ratio = 2;
-    tank.scene.method.max_compression = 0.005;
-    tank.scene.method.cfl = 0.3;
-    tank_start();
-    while (sph2d_sim_time(tank.sim) < 0.2)
-        test_steps(tank.sim, 1);
-    sph2d_summary s = sph2d_sim_summary(tank.sim);
-    ck_assert_double_gt(s.speed_max, 2);
-    ck_assert_double_le(s.compression_max, 0.015);
+        strstr(test_report_text(&report), "the tolerance is 1e-05" /* which is the least of constraint */));
 }
 END_TEST
 
@@ -389,17 +216,11 @@ Suite *suite_solvers(void)
     Suite *suite = suite_create("solvers");
     TCase *cases = tcase_create("solvers");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
-    tcase_add_loop_test(cases, pressure_makes_no_energy, 0, 2);
+    tcase_add_test(cases, pressure_makes_no_energy);
     tcase_add_loop_test(cases, energy_never_rises_where_walls_stand, 0, 2);
     tcase_add_loop_test(cases, momentum_is_kept, 0, 2);
     tcase_add_loop_test(cases, compression_stays_where_it_is_wanted, 0, 2);
     tcase_add_loop_test(cases, too_few_iterations_are_counted_and_stop_a_run_in_the_end, 0, 2);
-    tcase_add_loop_test(cases, stragglers_are_brought_back, 0, ISAS);
-    tcase_add_loop_test(cases, what_pressure_explains_stays, 0, ISAS);
-    tcase_add_loop_test(cases, corrections_push_like_multipliers, 0, ISAS);
-    tcase_add_test(cases, corrections_raise_pressures);
-    tcase_add_loop_test(cases, walls_that_come_push_stragglers, 0, 4);
-    tcase_add_test(cases, the_largest_compression_is_bounded);
     tcase_add_loop_test(cases, threads_do_not_matter, 0, 2);
     tcase_add_loop_test(cases, instruction_sets_do_not_matter, 0, 2);
     tcase_add_loop_test(cases, a_state_goes_on_as_if_nothing_was, 0, 2);

@@ -251,7 +251,7 @@ START_TEST(what_only_reflects_is_no_wall)
     obstacles[0].outline.kind = obstacles[1].outline.kind = SPH2D_OUTLINE_BOX;
     obstacles[0].outline.box = (sph2d_box){{-0.1, -0.1}, {0.3, -0.5 * DX}};
     obstacles[0].form = SPH2D_WALL_REFLECT;
-    scene.method.name = SPH2D_METHOD_CONSTRAINT;
+    scene.method.name = SPH2D_METHOD_PCISPH;
     scene.method.sound_speed = 0;
     obstacles[1].outline.box = (sph2d_box){{0.5, 0.5}, {0.6, 0.6}};
     scene.obstacles = obstacles;

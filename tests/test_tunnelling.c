@@ -240,7 +240,7 @@ START_TEST(a_wall_that_moves_takes_what_rests_along)
     sph2d_scene scene = test_open_scene(DX, 0, 0, 2, 1);
     if (_i == 1) {
         scene.method = sph2d_scene_default().method;
-        scene.method.name = SPH2D_METHOD_CONSTRAINT;
+        scene.method.name = SPH2D_METHOD_PCISPH;
     }
     sph2d_block particle = test_particle(DX, 0.5, 0.5, 0, 0);
     sph2d_obstacle obstacle = sph2d_obstacle_default();
@@ -274,7 +274,7 @@ START_TEST(nothing_gets_into_a_blade_that_turns)
         sph2d_wall_form form;
     } kinds[] = {{SPH2D_METHOD_WCSPH, SPH2D_WALL_GENERALISED}, {SPH2D_METHOD_PCISPH, SPH2D_WALL_REFLECT},
                  {SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY},      {SPH2D_METHOD_PCISPH, SPH2D_WALL_GENERALISED},
-                 {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_HEAVY},  {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED}};
+                 {SPH2D_METHOD_PCISPH, SPH2D_WALL_HEAVY},      {SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED}};
     sph2d_scene scene = test_scene(0.02, 0, 0, 1, 1);
     scene.method = sph2d_scene_default().method;
     scene.method.name = kinds[_i].method;

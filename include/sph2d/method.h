@@ -23,7 +23,6 @@ extern "C" {
     X(ARTIFICIAL_VISCOSITY, "method.artificial_viscosity")                                                             \
     X(DENSITY_DIFFUSION, "method.density_diffusion")                                                                   \
     X(SHIFTING, "method.shifting")                                                                                     \
-    X(DAMPING, "method.damping")                                                                                       \
     X(TOLERANCE, "method.tolerance")                                                                                   \
     X(CRITERION, "method.criterion")                                                                                   \
     X(MIN_ITERATIONS, "method.min_iterations")                                                                         \

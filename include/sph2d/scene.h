@@ -238,7 +238,7 @@ typedef struct sph2d_method_options {
     double density_diffusion;
 
     /** muller: alpha, 0 to 1; the dynamic viscosity is at least alpha rho c0 H, since its pressure force does not
-     *  conserve energy; default 0 means 0.1, with which energy does not grow. pcisph, constraint: adds the kinematic
+     *  conserve energy; default 0 means 0.1, with which energy does not grow. pcisph: adds the kinematic
      *  viscosity alpha h U / 8 (Monaghan 1992), h = H/2, U^2 = g h_0 + u^2/2 at the start, to what of the velocities around a particle is not
      *  linear (Frontiere, Raskin & Owen 2017); default 0 means 0.1, with which liquid at rest is still. */
     double artificial_viscosity;
@@ -251,7 +251,7 @@ typedef struct sph2d_method_options {
      *  the liquid above the lowest point that walls and obstacles at rest let it reach, U the largest speed at the
      *  start, of a source, of a wall, or that a body gets by springs that are stretched at the start, pull the
      *  strongest interaction's acceleration * radius / 2, and 2 for the overshoot after a release. pcisph keeps it in
-     *  every step, and its sound speed is for a tenth of it; constraint corrects particles beyond it individually. */
+     *  every step, and its sound speed is for a tenth of it. */
     double max_compression;
 
     /** Stiffness k in p = k (rho - rho0) [m^2/s^2], >= 0; default 0: derived as above. k = c0^2, except for muller,
@@ -263,27 +263,23 @@ typedef struct sph2d_method_options {
     double sound_speed;
 
     /** Support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph 3.0 with variational
-     *  and 2.5 with fitted operators; pcisph and constraint 2.4 with wendland_c2 and cubic (1.78, 1.65 at least),
+     *  and 2.5 with fitted operators; constraint 3.0; pcisph 2.4 with wendland_c2 and cubic (1.78, 1.65 at least),
      *  2.75 with wendland_c4 and quintic (2.04, 2.02), 3.05 with wendland_c6 (2.27): neighbours must contribute a third
      *  of the density. */
     double support_ratio;
 
     /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9,
      *  variational operators to 0.25, pcisph and constraint to dx/H; default 0: the method's, muller 0.4, wcsph 0.2 with
-     *  variational operators (a step is up to five of these) and 0.25 with fitted ones, pcisph and constraint 0.4 dx/H, hybrid 0.9: its step
+     *  variational operators (a step is up to five of these) and 0.25 with fitted ones, pcisph 0.4 dx/H, constraint
+     *  0.8 dx/H (half of it where liquid fills its domain; a step is also at most dx/sqrt(head), the head that of the sound speed), hybrid 0.9: its step
      *  is cfl H / sqrt(2 head) throughout, the head that of the sound speed of other methods. */
     double cfl;
 
     /** A fixed step [s], >= 0; default 0: adaptive. */
     double time_step;
 
-    /** constraint: damping time of compression in steps, n of SPOOK, >= 0; below 2 a rigid liquid oscillates; default
-     *  2.
-     */
-    double damping;
-
-    /** constraint: tolerance of the solver, the mean absolute error of compression in a step, 1e-12 to 0.1; default 0:
-     *  a hundredth of max_compression. */
+    /** constraint: tolerance of the solver, what may be left of its equations over their right side, both as the root of the
+     *  sum of squares, 1e-12 to 0.1; default 0 means 5e-3. */
     double tolerance;
 
     /** pcisph: what is kept below max_compression; default max. */

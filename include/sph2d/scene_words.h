@@ -115,8 +115,8 @@ typedef enum sph2d_criterion {
  *  pcisph      predictive-corrective incompressible: pressure by prediction and correction, for stiff liquids with
  *  large
  *              steps (Solenthaler & Pajarola 2009)
- *  constraint  Constraint Fluids: summation density kept by constraints, for stiff liquids with large steps (Bodin,
- *              Lacoursiere & Servin 2011)
+ *  constraint  the operators of wcsph and one implicit solve over a step, for nearly incompressible liquid with large
+ *              steps
  *  hybrid      particles with a pressure from a grid, for looking and playing: steps of some hundredth of a second
  *              (Raveendran, Wojtan & Turk 2011) */
 #define SPH2D_METHOD_MAP(X)                                                                                            \

@@ -335,9 +335,9 @@ typedef struct sph2d_summary {
      *  walls, k d^2/2 per kilogram at depth d, and of surface tension. */
     double kinetic, potential;
 
-    /** Energy of compression [J/m]: by the equation of state of methods wcsph and muller, with wcsph also that of pairs
-     *  that repel each other and of gravity that is less beside sides; with constraint m c0^2 e^2/2 at the compression e
-     *  that pressure balances; with pcisph that of a start compressed beyond max_compression,
+    /** Energy of compression [J/m]: by the equation of state of methods wcsph, constraint and muller, with the first two
+     *  also that of pairs that repel each other and of gravity that is less beside sides; with pcisph that of a start
+     *  compressed beyond max_compression,
      *  until it has expanded. */
     double elastic;
 
@@ -382,7 +382,7 @@ typedef struct sph2d_summary {
      *  nearer to a floor than the clearance, by its weight times the way. */
     double energy_contacts;
 
-    /** Energy dissipated by the pressures of methods pcisph and constraint, with which impacts are inelastic: their
+    /** Energy dissipated by the pressures of method pcisph, with which impacts are inelastic: their
      *  work minus that of moving walls and the change of elastic energy, if below 0 [J/m]. */
     double energy_pressed;
 

@@ -115,7 +115,9 @@ static void check_slip_of_bodies(sph2d__checker *c)
     const sph2d_scene *scene = c->scene;
     char path[SPH2D__PATH_SIZE];
     bool has = sph2d_method_has(sph2d_method_of(&scene->method), SPH2D_FEATURE_WALL_SLIP);
-    for (size_t i = 0; has && i < scene->obstacle_count && scene->method.name != SPH2D_METHOD_WCSPH; ++i) {
+    for (size_t i = 0; has && i < scene->obstacle_count && scene->method.name != SPH2D_METHOD_WCSPH &&
+                       scene->method.name != SPH2D_METHOD_CONSTRAINT;
+         ++i) {
         if (!scene->obstacles[i].body || sph2d__obstacle_slip(scene, &scene->obstacles[i]) == SPH2D_SLIP_FREE)
             continue;
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".slip"),

@@ -18,7 +18,6 @@ sph2d_scene sph2d_scene_default(void)
         .method = {.name = SPH2D_METHOD_WCSPH,
                    .density_diffusion = 0.1,
                    .shifting = 1,
-                   .damping = 2,
                    .min_iterations = 3,
                    .max_iterations = 1000},
         .run = {.until = 1.0, .frames = {.size = {1280, 720}, .caption = SPH2D_SWITCH_ON}},

@@ -629,7 +629,7 @@ static const sph2d_key method_items[] = {
      .text = "delta; the diffusivity of density is delta c0 H/2"},
     {"artificial_viscosity", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, artificial_viscosity), BETWEEN(0, 1),
      .unit = "", .default_text = "0.1", .feature = SPH2D_FEATURE_ARTIFICIAL_VISCOSITY,
-     .text = "alpha; pcisph and constraint add the viscosity alpha sqrt(g h) H/16, h the scene's head, to what of "
+     .text = "alpha; pcisph adds the viscosity alpha sqrt(g h) H/16, h the scene's head, to what of "
              "velocities is not linear; that of muller is alpha rho c0 H at least"},
     {"shifting", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, shifting), BETWEEN(0, 2), .unit = "",
      .default_text = "1", .feature = SPH2D_FEATURE_SHIFTING,
@@ -643,20 +643,21 @@ static const sph2d_key method_items[] = {
     {"sound_speed", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, sound_speed), FROM_0, .unit = "m/s",
      .default_text = "from max_compression", .text = "c0, instead of stiffness"},
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
-     .unit = "", .default_text = "muller 2.0, wcsph 3.0 (variational) or 2.5 (fitted), else 2.4 to 3.05 by kernel",
-     .text = "support radius over spacing, H/dx; pcisph and constraint need 1.65 to 2.27 or more by kernel, fitted "
+     .unit = "",
+     .default_text =
+         "muller 2.0, wcsph 3.0 (variational) or 2.5 (fitted), constraint 3.0, pcisph 2.4 to 3.05 by kernel",
+     .text = "support radius over spacing, H/dx; pcisph needs 1.65 to 2.27 or more by kernel, fitted "
              "at most 3 for flows with little viscosity, hybrid 2 to 2.6"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
-     .default_text = "muller 0.4, wcsph 0.2 (variational) or 0.25 (fitted), hybrid 0.9, else 0.4 dx/H",
+     .default_text =
+         "muller 0.4, wcsph 0.2 (variational) or 0.25 (fitted), hybrid 0.9, constraint 0.8 dx/H, pcisph 0.4 dx/H",
      .text = "step limit: dt <= cfl H / (c0 + v_max); pcisph and constraint without c0 and at most "
              "dx/H, variational operators at most 0.25, whose steps are up to five of these"},
     {"time_step", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, time_step), FROM_0, .unit = "s",
      .default_text = "adaptive", .text = "a fixed step"},
-    {"damping", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, damping), FROM_0, .unit = "steps",
-     .default_text = "2", .feature = SPH2D_FEATURE_DAMPING, .text = "decay time of compression errors"},
     {"tolerance", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, tolerance), BETWEEN_OR_0(1e-12, 0.1), .unit = "",
-     .default_text = "max_compression/100", .feature = SPH2D_FEATURE_TOLERANCE,
-     .text = "mean compression error allowed after a step"},
+     .default_text = "0.005", .feature = SPH2D_FEATURE_TOLERANCE,
+     .text = "what may be left of a step's equations, over their right side"},
     {"criterion", SPH2D_KEY_WORD, false, AT(sph2d_method_options, criterion), .words = criterion_words, .unit = "",
      .default_text = "max", .feature = SPH2D_FEATURE_CRITERION,
      .text = "the compression that is kept below max_compression"},

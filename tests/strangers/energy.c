@@ -73,11 +73,12 @@ double held_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_vie
 
 double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_view *fluid)
 {
-    if (s->method.name == SPH2D_METHOD_PCISPH || s->method.name == SPH2D_METHOD_CONSTRAINT)
+    if (s->method.name == SPH2D_METHOD_PCISPH)
         return 0; // held_energy() tells it, and a start's does not make the scale larger
     const sph2d_state_equation equation =
         s->method.name == SPH2D_METHOD_WCSPH ? s->method.state_equation : SPH2D_STATE_LINEAR;
-    const bool squares = s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL;
+    const bool squares = s->method.name == SPH2D_METHOD_CONSTRAINT ||
+                         (s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL);
     double sum = 0;
     for (size_t i = 0; i < fluid->count; ++i) {
         const double r = fluid->density[i] / s->fluid.density;

@@ -71,7 +71,7 @@ bool walls_are_at_rest(const sph2d_scene *scene);
 double energy_scale(const sph2d_scene *scene, const sph2d_sim *sim);
 /** Elastic energy [J/m] of liquid with a state equation; 0 for the others. */
 double elastic_energy(const sph2d_scene *scene, const sph2d_plan *plan, const sph2d_view *fluid);
-/** The same of methods pcisph and constraint, by the compression that pressure holds, or, at the start, that density
+/** The same of method pcisph, by the compression that pressure holds, or, at the start, that density
  *  has; of pcisph what is beyond the compression that its solver stops at. */
 double held_energy(const sph2d_scene *scene, const sph2d_plan *plan, const sph2d_view *fluid, bool start);
 /** Counts particles inside the liquid, at least 20, away from walls and surfaces: fills packing to highest. */

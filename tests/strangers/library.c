@@ -69,12 +69,12 @@ static void look_at_energy(watch *w, library_run *run)
         return;
     sph2d_view fluid = sph2d_sim_fluid(w->sim);
     const sph2d_plan *plan = sph2d_sim_plan(w->sim);
-    const bool projected =
-        w->scene->method.name == SPH2D_METHOD_PCISPH || w->scene->method.name == SPH2D_METHOD_CONSTRAINT;
+    const bool projected = w->scene->method.name == SPH2D_METHOD_PCISPH;
     if (projected)
         fluid.pressure = acting_pressure(w->sim, fluid.pressure);
-    const bool pairs = w->scene->method.name == SPH2D_METHOD_WCSPH &&
-                       w->scene->method.operators == SPH2D_OPERATORS_VARIATIONAL; // close ones have energy, too
+    const bool pairs = w->scene->method.name == SPH2D_METHOD_CONSTRAINT ||
+                       (w->scene->method.name == SPH2D_METHOD_WCSPH &&
+                        w->scene->method.operators == SPH2D_OPERATORS_VARIATIONAL); // close ones have energy, too
     double elastic = w->scene->method.name == SPH2D_METHOD_HYBRID ? 0
                      : pairs                                      ? s.elastic
                      : projected ? held_energy(w->scene, plan, &fluid, sph2d_sim_steps(w->sim) == 0)

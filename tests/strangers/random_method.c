@@ -68,10 +68,8 @@ static void write_solver(draft *d)
         if (chance(d, 0.15))
             fputs(", min_iterations: 5", d->out);
     } else {
-        if (chance(d, 0.2))
-            fprintf(d->out, ", damping: %s", ONE_OF(d, "1", "3", "8"));
         if (chance(d, 0.15))
-            fprintf(d->out, ", tolerance: %.2g", decades(d, 1e-6, 1e-3));
+            fprintf(d->out, ", tolerance: %.2g", decades(d, 1e-6, 1e-2));
     }
 }
 

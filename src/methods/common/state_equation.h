@@ -19,10 +19,17 @@
 #include "base/parallel.h"
 #include "methods/common/system.h"
 
+/** Whether p = rho c0^2 ln(rho/rho0): with the operators of methods/wcsph. */
+static inline bool sph2d__is_logarithmic(const sph2d__system *s)
+{
+    return s->method.name == SPH2D_METHOD_CONSTRAINT ||
+           (s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL);
+}
+
 static inline double sph2d__pressure_of(const sph2d__system *s, double density)
 {
     double c2 = s->sound_speed * s->sound_speed, pressure = c2 * (density - s->rest_density);
-    if (s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL)
+    if (sph2d__is_logarithmic(s))
         return c2 * density * log(density / s->rest_density);
     if (s->method.state_equation == SPH2D_STATE_TAIT) {
         double x = density / s->rest_density, x2 = x * x, x4 = x2 * x2;
@@ -35,7 +42,7 @@ static inline double sph2d__pressure_of(const sph2d__system *s, double density)
 static inline double sph2d__density_of(const sph2d__system *s, double pressure)
 {
     double c2 = s->sound_speed * s->sound_speed;
-    if (s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL) {
+    if (sph2d__is_logarithmic(s)) {
         double part = fmax(pressure / (s->rest_density * c2), -0.3), x = 1 + part; /* x ln x, at least -1/e */
         for (int k = 0; k < 6; ++k)
             x -= (x * log(x) - part) / (log(x) + 1);

@@ -114,7 +114,7 @@ static void start_motion(sph2d__system *s, size_t i)
     memcpy(z->velocity + 4 * i, row, sizeof row);
 }
 
-static void start_slab(sph2d__system *s, size_t first, size_t last)
+static void start_some(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *f = &s->fluid;
@@ -125,6 +125,11 @@ static void start_slab(sph2d__system *s, size_t first, size_t last)
         z->px[i] = f->next_x[i];
         z->py[i] = f->next_y[i];
     }
+}
+
+void sph2d__frozen_begin(sph2d__system *s)
+{
+    sph2d__over_particles(s, s->fluid.count, start_some);
 }
 
 /** For how long rates act before diffusion, and after it. */
@@ -175,7 +180,7 @@ static double stored_energy(const sph2d__system *s, size_t i)
         const double t = fmax(1 - sqrt(dx * dx + dy * dy) / near, 0);
         sum += t * t * t;
     }
-    return SPH2D__REPULSION * c2 * SPH2D__CLOSE / 6 * sum + sph2d__side_energy(s, z->px[i], z->py[i]);
+    return z->repulsion * c2 * SPH2D__CLOSE / 6 * sum + sph2d__side_energy(s, z->px[i], z->py[i]);
 }
 
 /** Keeps the energy stored, and sums up by how much it is other than before [J/kg]: in a step, or since the last one, when
@@ -190,6 +195,11 @@ static void store_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
     }
 }
 
+double sph2d__frozen_store(sph2d__system *s)
+{
+    return s->mass * sph2d__over_fluid(s, store_slab, NULL).first;
+}
+
 /** What is read from outside. */
 static void report(sph2d__system *s, size_t first, size_t last)
 {
@@ -202,7 +212,7 @@ static void report(sph2d__system *s, size_t first, size_t last)
 }
 
 /** The external force, before what acoustic steps add. */
-static void start_external(sph2d__system *s)
+void sph2d__frozen_start_external(sph2d__system *s)
 {
     const sph2d__forces *forces = &s->forces;
     s->frozen->varies = sph2d__forces_vary(forces);
@@ -257,11 +267,11 @@ static void sound(sph2d_sim *sim, double dt)
     z->thick = !sph2d__viscous_at_once(s, dt);
     z->share = 1 / (double)steps;
     z->past = 1;
-    sph2d__over_particles(s, s->fluid.count, start_slab);
-    start_external(s);
+    sph2d__frozen_begin(s);
+    sph2d__frozen_start_external(s);
     const double half = z->dt / 2;
     sph2d__images_of_velocity(s);
-    sim->record.energy_fed += s->mass * sph2d__over_fluid(s, store_slab, NULL).first;
+    sim->record.energy_fed += sph2d__frozen_store(s);
     const size_t middle = (steps + 1) / 2; /* when what acts once does */
     sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half, middle == 1});
     sph2d__images_of_pressure(s);
@@ -297,7 +307,7 @@ static void sound(sph2d_sim *sim, double dt)
     }
     sim->record.energy_pressed +=
         s->mass * s->sound_speed * s->sound_speed * z->dt * z->dt / 8 * (before - rates.third);
-    sim->record.energy_pressed -= s->mass * sph2d__over_fluid(s, store_slab, NULL).first; /* is not dissipated */
+    sim->record.energy_pressed -= sph2d__frozen_store(s); /* is not dissipated */
 }
 
 /** Finds the particles in reservoirs of openings. What is prescribed is all that is known of them: no sum adds to it. */
@@ -307,10 +317,13 @@ static void hold(sph2d_sim *sim)
     const sph2d__store *f = &sim->system.fluid;
     z->holds = sim->openings.count > 0;
     for (size_t i = 0; z->holds && i < f->count; ++i) {
-        z->held[i] = sph2d__opening_at(sim, f->x[i], f->y[i]) != NULL;
+        const sph2d__opening *o = sph2d__opening_at(sim, f->x[i], f->y[i]);
+        z->held[i] = o != NULL;
         z->held_excess[i] = f->excess[i];
-        if (z->held[i] > 0)
+        if (o)
             z->summed[i] = z->shift_x[i] = z->shift_y[i] = 0;
+        if (sim->system.method.name == SPH2D_METHOD_CONSTRAINT)
+            z->known[i] = o && !o->has_velocity;
     }
 }
 
@@ -370,9 +383,13 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
         return SPH2D_NOMEM;
     sph2d__bodies_press(sim); /* by what stays as it is */
     sph2d__bodies_expect(sim, middle);
-    const double before = dissipated(sim);
-    sound(sim, dt);
-    relax(sim, dt, dissipated(sim) - before);
+    if (s->method.name == SPH2D_METHOD_CONSTRAINT) {
+        sph2d__implicit_sound(sim, dt);
+    } else {
+        const double before = dissipated(sim);
+        sound(sim, dt);
+        relax(sim, dt, dissipated(sim) - before);
+    }
     sph2d__over_particles(s, s->fluid.count, report);
     sph2d__sim_set_drift_interval(sim, start, middle); /* torques about what boundary particles were placed about */
     sph2d__loads_find(sim, 1);

@@ -49,6 +49,7 @@
  *  Walls do not hold by tension what has no C_i: films, where A_i is not F_i^-1, and what is past the end of a wall. a_i is 0
  *  there while theta_i and what walls add to D_i are below 0: while it is under tension and leaves. Else a_i is 1, and always
  *  in liquid without a surface. As it changes in the middle between two kicks, in rate and force at once, all is accounted for.
+ *  In an implicit step (implicit.c) it is by both at the start.
  *
  *  Dissipation acts where velocities and pressures are not linear:
  *
@@ -152,6 +153,30 @@ static inline double sph2d__density_ratio(double theta)
     X(press)                         /* P B by xx, xy, yy; theta */                                                    \
     X(velocity) X(next_velocity)     /* v, z [m/s] */
 
+/** The arrays of the implicit solve (implicit.c), in its method alone. */
+#define SPH2D__IMPLICIT_ARRAYS(X)                                                                                      \
+    X(known)                         /* 1 in reservoirs whose pressure is prescribed, else 0 */                        \
+    X(taken_x) X(taken_y)            /* the part of given accelerations that has no potential [m/s^2] */                \
+    X(driven_x) X(driven_y)          /* velocities by which driving forces are taken [m/s] */                          \
+    X(rubbed_x) X(rubbed_y)          /* accelerations by viscosity and friction [m/s^2] */                             \
+    X(thick_x) X(thick_y)            /* velocities that viscosity takes (thick.c) [m/s] */                             \
+    X(rest_x) X(rest_y)              /* what is left of their equations [m/s] */                                       \
+    X(way_x) X(way_y)                /* directions of their next changes [m/s] */                                      \
+    X(slowed_x) X(slowed_y)          /* the matrix times these [m/s] */                                                \
+    X(eased_x) X(eased_y)            /* the inverse of its diagonal */                                                 \
+    X(soft)                          /* 1/(c0^2 + e) [s^2/m^2] */                                                      \
+    X(solved)                        /* p [m^2/s^2] */                                                                 \
+    X(left_over)                     /* what is left of the equations */                                               \
+    X(direction)                     /* of the next change of p [m^2/s^2] */                                           \
+    X(product)                       /* the matrix times that */                                                       \
+    X(first) X(of_first)             /* the pressures that the solve starts from, and their product */                 \
+    X(pull_back_x) X(pull_back_y)    /* D^T of the pressures in `press` [m/s^2] */                                     \
+    X(pushed_x) X(pushed_y)          /* by close pairs and walls (implicit_close.c) [m/s^2] */                         \
+    X(stopped)                       /* the part of it by walls, along their normal [m/s^2] */                         \
+    X(stop_speed)                    /* by bodies: their change of velocity along it [m/s] */                          \
+    X(slope_x) X(slope_y)            /* sum (p_k - p_i) G_ik [m/s^2] */                                                \
+    X(body_rate)                     /* by bodies: D of their change of velocity [1/s] */
+
 /** The arrays of the pairs: floats. */
 #define SPH2D__FROZEN_PAIRS(X)                                                                                         \
     X(gx) X(gy)                      /* G [1/m] */                                                                     \
@@ -169,11 +194,13 @@ typedef struct sph2d__frozen_body {
     sph2d__twist way;                   /**< the mean of the step, so far [m/s, rad/s] */
     sph2d__twist mean, before;          /**< by pressure, with the last acoustic step and without it [N/m, N] */
     sph2d__twist rubbed, rubbed_before; /**< the same by the friction of liquid that sticks */
+    sph2d__twist trial;                 /**< a change of velocity that a product takes [m/s, rad/s] */
     double rate2;                       /**< of its part of D over its mass [1/s^2] */
     double brake;                       /**< the most that l slows it down by [1/s] */
 } sph2d__frozen_body;
 
 typedef struct sph2d__frozen_row sph2d__frozen_row;
+typedef struct sph2d__close_row sph2d__close_row;
 
 /** Sites of a lattice on either side of a particle, in sums over a full one. */
 enum { SPH2D__LATTICE_REACH = 6 };
@@ -197,6 +224,7 @@ typedef struct sph2d__frozen {
     uint32_t *imaged;   /**< of each slice: slots of pairs with images, the last of the fluid's */
 #define SPH2D__FROZEN_MEMBER(name) double *name;
     SPH2D__FROZEN_ARRAYS(SPH2D__FROZEN_MEMBER)
+    SPH2D__IMPLICIT_ARRAYS(SPH2D__FROZEN_MEMBER)
 #undef SPH2D__FROZEN_MEMBER
 #define SPH2D__FROZEN_RECORD(name) float *name;
     SPH2D__FROZEN_RECORDS(SPH2D__FROZEN_RECORD)
@@ -205,10 +233,14 @@ typedef struct sph2d__frozen {
     double *part;         /**< of boundary particles: how much of them acts */
     size_t walls;         /**< boundary particles */
     size_t capacity;      /**< particles */
+    size_t implicit;      /**< particles for which there is room in the arrays of the implicit solve */
     unsigned char *flags; /**< of each slice: SPH2D__FROZEN_WALLED, _BESIDE */
     uint32_t *close;      /**< of each slice: slots of pairs that may come close, behind those with walls */
     size_t pairs, slices;
     double dt;                  /**< of an acoustic step [s] */
+    double ahead;               /**< w of an implicit step [s] */
+    double most_brake;          /**< the most that b is */
+    double repulsion;           /**< R over rho0 c0^2 dx */
     double apart;               /**< how far two particles of a close pair may be in the middle of the step [m] */
     double share;               /**< of an acoustic step in means over the step */
     double past;                /**< the part of the step that is over, in means */
@@ -220,6 +252,8 @@ typedef struct sph2d__frozen {
     sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
     sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
     size_t row_count, row_capacity;
+    sph2d__close_row *close_rows; /**< of close pairs in an implicit step, by particles, and where those of each begin */
+    size_t *first_close, close_capacity;
     double left[SPH2D__FREE_PARTS + 1];    /**< s, by equal steps of K/Sigma from 0 on */
     double beyond[SPH2D__PLANE_PARTS + 1]; /**< the kernel's part beyond a plane, by the distance from it */
     double lift[SPH2D__PLANE_PARTS + 1];   /**< its integral from there to H [m] */
@@ -259,7 +293,38 @@ typedef struct sph2d__wcsph_pass {
                  sph2d__slab_sum *sum);
 } sph2d__wcsph_pass;
 
+/** The sweeps of an implicit step (implicit.c). */
+typedef struct sph2d__implicit_pass {
+    /** r of e, and a. */
+    sph2d__span_work *rest;
+    /** Velocities by what is dissipated, and the accelerations that act with pressure. Sums up the work of dissipation,
+     *  of friction and of forces on particles that are held [J/m], and the elastic energy that diffused [J/m]. */
+    void (*loosen)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
+    /** D^T of the pressures in `press`, and its negative as a motion; the sums of pressures that act on walls. */
+    sph2d__span_work *transpose;
+    /** D of the motion, into `product`. */
+    sph2d__span_work *diverge;
+    /** The product of the matrix with the direction; the first sum is their own product. */
+    void (*multiply)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
+    /** The end of the step by the pressures in `press`. Sums up what acts without a potential, damping, and forces on
+     *  particles that are held [J/m], in the order of `force`; the external force [N/m]. */
+    void (*finish)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
+} sph2d__implicit_pass;
+
+/** The sweeps of the implicit solve for viscosity (thick.c). */
+typedef struct sph2d__thick_pass {
+    /** What is left of the equations by velocities at the start, which are in `velocity`, and the matrix's diagonal. Sums up the square of the
+     *  former over the latter, and of the right side. */
+    void (*load)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
+    /** The product of the matrix with what is in `velocity`, the direction; the first sum is their own product. */
+    void (*multiply)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
+    /** Accelerations by the velocities that were found, which are in `velocity`. */
+    sph2d__span_work *finish;
+} sph2d__thick_pass;
+
 SPH2D__COPIES(sph2d__wcsph_gather_pass, sph2d__wcsph_gather)
+SPH2D__COPIES(sph2d__implicit_pass, sph2d__implicit_pass)
+SPH2D__COPIES(sph2d__thick_pass, sph2d__thick_pass)
 SPH2D__COPIES(sph2d__wcsph_pass, sph2d__wcsph)
 
 /** Makes what stands still, with nothing in it yet. False when memory is short. */
@@ -337,6 +402,43 @@ double sph2d__frozen_bodies_rate(sph2d__system *system);
  *  does less on them than at their velocities before [J/m]. */
 double sph2d__frozen_bodies_kick(sph2d__system *system, double done, double *friction);
 void sph2d__frozen_bodies_free(sph2d__system *system);
+
+/** Their change of velocity in half a step, without what the liquid's pressure does: by the forces so far and others. */
+void sph2d__frozen_bodies_expect(sph2d__system *system, double half);
+/** Adds `part` of their acceleration by the pressures in `press`, and what they stop, to that change. */
+void sph2d__frozen_bodies_pull(sph2d__system *system, double part);
+/** Sets D of that change, and adds its part of z to the motion. */
+void sph2d__frozen_bodies_feed(sph2d__system *system);
+/** Work of the pressures in `press` on bodies, less that at the velocities that the solve had [J/m]: by particles that were
+ *  stopped after it, and where these are not those of the middle. */
+double sph2d__frozen_bodies_late(sph2d__system *system);
+
+/** Parts of a step (advance.c): the start, particles where they were; external forces; the energy of close pairs and beside
+ *  sides, of which it returns the change since it was last called [J/m]. */
+void sph2d__frozen_begin(sph2d__system *system);
+void sph2d__frozen_start_external(sph2d__system *system);
+double sph2d__frozen_store(sph2d__system *system);
+/** In place of acoustic steps, in method `constraint` (implicit.c). */
+void sph2d__implicit_sound(sph2d_sim *sim, double dt);
+/** Close pairs in it (implicit_close.c): room for their rows, false when memory is short; the rows, with particles where
+ *  they are expected; those of particle i in the solve. */
+bool sph2d__close_reserve(sph2d__system *system);
+void sph2d__close_find(sph2d__system *system);
+void sph2d__close_load(sph2d__system *system, size_t i, sph2d__slab_sum *sum);
+double sph2d__close_multiply(sph2d__system *system, size_t i);
+void sph2d__close_go(sph2d__system *system, size_t i, double length, sph2d__slab_sum *sum);
+void sph2d__close_turn(sph2d__system *system, size_t i, double keep, double first);
+void sph2d__close_keep_first(sph2d__system *system, size_t i);
+void sph2d__close_load_again(sph2d__system *system, size_t i, sph2d__slab_sum *sum);
+/** What its pairs push it by with what was found, which `last` adds to the mean force of sides, too. */
+void sph2d__close_push(sph2d__system *system, size_t i, bool last);
+/** Whether some of what was found draws particles: then the rest is solved for once more. */
+bool sph2d__close_pull(const sph2d__system *system);
+void sph2d__close_free(sph2d__system *system);
+/** Accelerations by viscosity and walls without slip, where the liquid is thick (thick.c). */
+void sph2d__thick_solve(sph2d__system *system);
+/** The longest step that it takes, whatever the speed, with the pressures now [s]. */
+double sph2d__implicit_step(const sph2d__system *system);
 
 /** The time scheme (advance.c): method.h. */
 sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt);

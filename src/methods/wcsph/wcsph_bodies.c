@@ -235,6 +235,78 @@ double sph2d__frozen_bodies_kick(sph2d__system *s, double done, double *friction
     return work;
 }
 
+/* ---- in an implicit step ----------------------------------------------------------------------------------------- */
+
+void sph2d__frozen_bodies_expect(sph2d__system *s, double half)
+{
+    sph2d__frozen *z = s->frozen;
+    sum_forces(s, 1);
+    for (size_t k = 0; k < s->rigid_count; ++k) {
+        sph2d__frozen_body *b = &z->bodies[k];
+        const sph2d__twist force = sph2d__twist_add(sph2d__twist_add(b->mean, 1, b->rubbed), 1, s->rigids[k].other);
+        b->trial = sph2d__twist_add((sph2d__twist){0, 0, 0}, half, sph2d__rigid_accelerate(&s->rigids[k], force));
+    }
+}
+
+void sph2d__frozen_bodies_pull(sph2d__system *s, double part)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t k = 0; k < z->row_count; ++k) {
+        const sph2d__frozen_row *row = &z->rows[k];
+        const size_t i = row->particle;
+        const double p = 2 * z->acts[i] * (double)z->press[4 * i + 3], x = z->walled[i] * z->slope_x[i],
+                     y = z->walled[i] * z->slope_y[i];
+        const double ex = z->axx[i] * x + z->axy[i] * y, ey = z->axy[i] * x + z->ayy[i] * y;
+        double force[3];
+        for (int d = 0; d < 3; ++d)
+            force[d] = part * s->mass *
+                       (p * row->press[d] - ex * row->pull[d][0] - ey * row->pull[d][1] - z->stopped[i] * row->repel[d]);
+        sph2d__frozen_body *b = &z->bodies[row->body];
+        b->trial = sph2d__twist_add(
+            b->trial, 1, sph2d__rigid_accelerate(&s->rigids[row->body], (sph2d__twist){force[0], force[1], force[2]}));
+    }
+}
+
+void sph2d__frozen_bodies_feed(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t k = 0; k < z->row_count; ++k)
+        z->body_rate[z->rows[k].particle] = z->stop_speed[z->rows[k].particle] = 0;
+    for (size_t k = 0; k < z->row_count; ++k) {
+        const sph2d__frozen_row *row = &z->rows[k];
+        const size_t i = row->particle;
+        const sph2d__twist w = z->bodies[row->body].trial;
+        const double by[3] = {w.x, w.y, w.turn}, part = -z->walled[i];
+        double tx = 0, ty = 0;
+        for (int d = 0; d < 3; ++d) {
+            tx += by[d] * row->pull[d][0];
+            ty += by[d] * row->pull[d][1];
+        }
+        z->stop_speed[i] += times(row->repel, w);
+        z->body_rate[i] -= 2 * z->acts[i] * times(row->press, w);
+        z->velocity[4 * i + 2] += (float)(part * (z->axx[i] * tx + z->axy[i] * ty));
+        z->velocity[4 * i + 3] += (float)(part * (z->axy[i] * tx + z->ayy[i] * ty));
+    }
+}
+
+double sph2d__frozen_bodies_late(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    double work = 0;
+    if (z->ahead <= z->dt / 2)
+        return 0;
+    for (size_t k = 0; k < s->rigid_count; ++k)
+        z->bodies[k].trial = (sph2d__twist){0, 0, 0};
+    memset(z->stopped, 0, s->fluid.count * sizeof *z->stopped);
+    sph2d__frozen_bodies_pull(s, 1);
+    for (size_t k = 0; k < s->rigid_count; ++k) {
+        const sph2d__rigid *r = &s->rigids[k];
+        const sph2d__twist by = z->bodies[k].trial, late = z->bodies[k].change;
+        work += (z->dt / 2 - z->ahead) * (r->mass * (by.x * late.x + by.y * late.y) + r->inertia * by.turn * late.turn);
+    }
+    return work;
+}
+
 void sph2d__frozen_bodies_free(sph2d__system *s)
 {
     void *rows = s->frozen->rows, *bodies = s->frozen->bodies;

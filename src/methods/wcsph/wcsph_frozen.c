@@ -100,7 +100,9 @@ static void find_beyond(const sph2d__system *s, sph2d__frozen *z)
 enum {
     ARRAYS = 0 SPH2D__FROZEN_ARRAYS(COUNT_ONE) SPH2D__FROZEN_RECORDS(COUNT_ONE),
     PAIRS = 0 SPH2D__FROZEN_PAIRS(COUNT_ONE),
-    ALL = ARRAYS + PAIRS + 3
+    SLICES = 3,
+    IMPLICIT = 1 SPH2D__IMPLICIT_ARRAYS(COUNT_ONE),
+    ALL = ARRAYS + PAIRS + SLICES + IMPLICIT
 };
 
 static void list_blocks(sph2d__frozen *z, sph2d__growth out[ALL])
@@ -118,6 +120,15 @@ static void list_blocks(sph2d__frozen *z, sph2d__growth out[ALL])
     out[n++] = (sph2d__growth){&z->flags, sizeof *z->flags};
     out[n++] = (sph2d__growth){&z->close, sizeof *z->close};
     out[n++] = (sph2d__growth){&z->imaged, sizeof *z->imaged};
+#define BLOCK(name) out[n++] = (sph2d__growth){&z->name, sizeof *z->name};
+    SPH2D__IMPLICIT_ARRAYS(BLOCK)
+#undef BLOCK
+    out[n++] = (sph2d__growth){&z->first_close, sizeof *z->first_close};
+}
+
+static bool is_implicit(const sph2d__system *s)
+{
+    return s->method.name == SPH2D_METHOD_CONSTRAINT;
 }
 
 /* ---- room -------------------------------------------------------------------------------------------------------- */
@@ -141,9 +152,14 @@ static bool reserve(sph2d__system *s)
         z->pairs = pairs;
     }
     if (slices > z->slices) {
-        if (!sph2d__grow_all(s->memory, blocks + ARRAYS + PAIRS, 3, z->slices, slices))
+        if (!sph2d__grow_all(s->memory, blocks + ARRAYS + PAIRS, SLICES, z->slices, slices))
             return false;
         z->slices = slices;
+    }
+    if (is_implicit(s) && particles > z->implicit) {
+        if (!sph2d__grow_all(s->memory, blocks + ARRAYS + PAIRS + SLICES, IMPLICIT, z->implicit, particles))
+            return false;
+        z->implicit = particles;
     }
     return true;
 }
@@ -183,11 +199,13 @@ void sph2d__frozen_free(sph2d__system *s)
     list_blocks(z, blocks);
     for (size_t k = 0; k < ALL; ++k)
         sph2d__release(s->memory, blocks[k].slot,
-                       k < ARRAYS           ? z->capacity
-                       : k < ARRAYS + PAIRS ? z->pairs
-                                            : z->slices,
+                       k < ARRAYS                    ? z->capacity
+                       : k < ARRAYS + PAIRS          ? z->pairs
+                       : k < ARRAYS + PAIRS + SLICES ? z->slices
+                                                     : z->implicit,
                        blocks[k].size);
     sph2d__frozen_bodies_free(s);
+    sph2d__close_free(s);
     void *of_walls = z->part, *all = z;
     sph2d__release(s->memory, &of_walls, z->walls, sizeof *z->part);
     sph2d__store_free(&z->images, s->memory);
@@ -226,12 +244,19 @@ static void end_rows(sph2d__system *s)
 #define ZERO(name) memset(z->name + 4 * i, 0, 4 * sizeof *z->name);
         SPH2D__FROZEN_RECORDS(ZERO)
 #undef ZERO
-        z->px[i] = z->py[i] = 1e30;
+        z->px[i] = z->py[i] = f->next_x[i] = f->next_y[i] = 1e30;
+#define ZERO(name) z->name[i] = 0;
+        if (is_implicit(s)) {
+            SPH2D__IMPLICIT_ARRAYS(ZERO)
+        }
+#undef ZERO
     }
 }
 
 /* By how much particles may become faster during a step. */
 static const double MARGIN = 1.5;
+/* Particles of a close pair that come nearer by more than this, over dx, are none in the middle of the step. */
+static const double MOST_APART = 0.8;
 
 /** What sums read of neighbours. */
 static void keep_state(sph2d__system *s, size_t first, size_t last)
@@ -261,6 +286,9 @@ static const double DAMPING = 0.1;
 /* The largest g c0 dt of a particle. With g = (|B| + |C|) sum |G| + |S| no row of D has a larger sum than 2 g. On a lattice
  * its norm is 0.52 sum |G|, so that a leapfrog is stable up to g c0 dt = 3.8. */
 static const double MOST_RATE = 2;
+
+/* An acoustic step over H/c0, by which C is bounded where a step has none. */
+static const double ACOUSTIC = 0.2;
 
 /** Bounds C of particle i, and Z m c0 H, by what an acoustic step bears. */
 static void bound(const sph2d__system *s, size_t i)
@@ -292,6 +320,10 @@ static void bound_some(sph2d__system *s, size_t first, size_t last)
         bound(s, i);
 }
 
+/* R in an implicit step, over rho0 c0^2 dx and max_compression: four times the head that the sound speed is made for, so
+ * that a pair at r0/2 bears the pressure of it. What pressure drives together within a step takes no work for its energy. */
+static const double BEARS_HEAD = 2;
+
 bool sph2d__frozen_gather(sph2d__system *s)
 {
     const sph2d__wcsph_gather_pass *pass = sph2d__wcsph_gather_find(s->isa);
@@ -303,7 +335,7 @@ bool sph2d__frozen_gather(sph2d__system *s)
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each, false) || !reserve(s))
             return false;
         s->neighbours.lanes = pass->lanes;
-        s->frozen->apart = SPH2D__CLOSE * s->spacing + MARGIN * s->speed * s->step;
+        s->frozen->apart = SPH2D__CLOSE * s->spacing + fmin(MARGIN * s->speed * s->step, MOST_APART * s->spacing);
         end_rows(s);
         sph2d__over_particles(s, s->fluid.count, keep_state);
         sph2d__images_start(s);
@@ -317,7 +349,11 @@ bool sph2d__frozen_gather(sph2d__system *s)
     }
     sph2d__images_of_slopes(s);
     sph2d__over_particles(s, s->fluid.count, pass->compare);
-    s->frozen->dt = s->step / (double)sph2d__acoustic_steps(s, s->step);
+    s->frozen->dt =
+        is_implicit(s) ? ACOUSTIC * s->support / s->sound_speed : s->step / (double)sph2d__acoustic_steps(s, s->step);
+    s->frozen->most_brake = 1;
+    s->frozen->repulsion =
+        is_implicit(s) ? fmin(BEARS_HEAD * s->method.max_compression, SPH2D__REPULSION) : SPH2D__REPULSION;
     sph2d__over_particles(s, s->fluid.count, bound_some);
-    return true;
+    return !is_implicit(s) || sph2d__close_reserve(s);
 }

@@ -102,9 +102,9 @@ static void walls(outcome *o)
 {
     if (o->method == MULLER)
         bounce(o, "spring");
-    if (o->method != WCSPH)
+    if (o->method != WCSPH && o->method != CONSTRAINT)
         bounce(o, "heavy");
-    if (o->method != WCSPH)
+    if (o->method != WCSPH && o->method != CONSTRAINT)
         bounce(o, "reflect");
     if (o->method != MULLER)
         bounce(o, "generalised");

@@ -1,0 +1,485 @@
+/* SPDX-License-Identifier: MIT */
+/** @file implicit.c
+ *  Method `constraint`: the operators of wcsph.h, and one implicit solve over a step in place of acoustic steps. With
+ *  w = dt/2, p = P/m and the accelerations g_i of all that is neither pressure nor dissipation,
+ *
+ *      v_m = v_0 + w (g_i - D^T p),  theta_m = theta_0 + w D(v_m),  p = c0^2 theta_m + Z c0 H D(v_m)
+ *      v_1 = 2 v_m - v_0,  theta_1 = 2 theta_m - theta_0
+ *
+ *  the midpoint rule, which keeps squares (Hairer, Lubich & Wanner 2006, sec. IV.2), and so K + U. With e = Z c0 H/w
+ *
+ *      (1/(c0^2 + e) + w^2 D D^T) p = theta_0 + w D(v_0 + w g) - e theta_0/(c0^2 + e)
+ *
+ *  where theta_0 has half of what relaxation adds over the step; the other half comes after. So that is a source, whose cost
+ *  is m c0^2 theta_m times it, whatever c0. What of it the step's dissipation does not pay for is taken back, and solved for
+ *  once more from there. theta_m follows from p, not from D. What is left of the equations is then the only energy that is
+ *  not accounted for, 2 m p . left. It is none at any tolerance: conjugate gradients (Hestenes & Stiefel 1952) start from a multiple of
+ *  c0^2 theta_0 and keep it out of all later directions (deflation: Saad, Yeung, Erhel & Guyomarc'h 2000, SIAM J. Sci.
+ *  Comput. 21, 1909-1926), so that what is left is orthogonal to all that p is made of.
+ *
+ *  A body's velocity is one of the unknowns, as a particle's is: with G_b its rows of D (wcsph_bodies.c), M_b its mass,
+ *  w^2 G_b M_b^-1 G_b^T is added to the matrix. So light ones are as stable as heavy ones. Particles in reservoirs have
+ *  a known velocity; where an opening prescribes their pressure, p is known, too, and taken to the other side. Where it
+ *  prescribes a velocity, p follows from the liquid before them: given from step to step it would answer a step later.
+ *
+ *  Where the liquid is thick (thick.c), w is dt: pressure is that at the end of the step, as friction is. Both act on the
+ *  same motion, and what friction stops at the end the middle would send back. Viscosity has the energy anyway.
+ *
+ *  Dissipation is explicit, by velocities at the start, before the solve: what it takes is known, whatever pressure is
+ *  about to do. b, C and e are bounded by what a step of this length bears. Close pairs, and what walls stop, are in the
+ *  matrix (implicit_close.c).
+ *
+ *  The step is not bound by sound but by order, as geometry stands still in it. What is out of place by s under a pressure p
+ *  is pushed back by some p s/(rho dx^2), which is explicit: up to dx/sqrt(p/rho) all is well, with the greatest p or that of
+ *  the head; at 1.4 times that particles get between each other. */
+#include <math.h>
+#include <string.h>
+
+#include "methods/wcsph/wcsph.h"
+#include "sim/stages.h"
+
+/* The longest step over dx/sqrt(p/rho). */
+static const double LONGEST = 1;
+/* b c0 dt/dx at most: no row of d has a larger sum than 1.5 times this. */
+static const double BRAKE = 0.4;
+/* The most that l takes of the velocity of a body in a step, over what would stop it. */
+static const double BODY_BRAKE = 0.5;
+/* Z. */
+static const double DAMPING = 0.1;
+
+/* In how many dx/sqrt(head) of the sound speed density goes to its sum over the neighbours: with 1 % of compression, in the
+ * 100 H/c0 of acoustic steps (advance.c). Not in H/c0: what flow makes of order is the same for any c0. */
+static const double RELAXATION = 21;
+
+/* c0^2 in the derivation of the sound speed is so many times the head over max_compression. */
+static const double OVERSHOOT = 2;
+
+/** The head that the sound speed is made for [m^2/s^2], as a run that is resumed knows. */
+static double head_of_sound(const sph2d__system *s)
+{
+    return s->sound_speed * s->sound_speed * s->method.max_compression / OVERSHOOT;
+}
+
+double sph2d__implicit_step(const sph2d__system *s)
+{
+    const double c2 = s->sound_speed * s->sound_speed;
+    double pressed = fmax(s->head, head_of_sound(s));
+    for (size_t i = 0; i < s->fluid.count; ++i)
+        pressed = fmax(pressed, c2 * fabs(s->fluid.excess[i]));
+    return LONGEST * s->spacing / sqrt(pressed);
+}
+
+static const sph2d__implicit_pass *pass_of(const sph2d__system *s)
+{
+    return sph2d__implicit_pass_find(s->isa);
+}
+
+/* ---- before the solve -------------------------------------------------------------------------------------------- */
+
+/** What of this is bounded by the step's length. */
+static void bound(sph2d__system *s, double dt)
+{
+    sph2d__frozen *z = s->frozen;
+    const double c = s->sound_speed;
+    z->dt = dt;
+    z->thick = !sph2d__viscous_at_once(s, dt);
+    z->ahead = z->thick ? dt : dt / 2;
+    z->share = z->past = 1;
+    z->most_brake = fmin(1, BRAKE * s->spacing / (c * dt));
+    if (s->rigid_count > 0) {
+        sph2d__frozen_bodies_rate(s);
+        for (size_t k = 0; k < s->rigid_count; ++k)
+            z->most_brake = fmin(z->most_brake, BODY_BRAKE / fmax(z->bodies[k].brake * dt, 1e-300));
+    }
+}
+
+/** Particles where they are expected in the middle of the step, and no pressures. */
+static void expect_some(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; ++i) {
+        const float row[4] = {0, 0, 0, (float)f->excess[i]};
+        memcpy(z->press + 4 * i, row, sizeof row);
+        z->px[i] += z->dt / 2 * f->vx[i];
+        z->py[i] += z->dt / 2 * f->vy[i];
+        z->work[i] = z->body_rate[i] = 0;
+    }
+}
+
+static void rest_some(sph2d__system *s, size_t first, size_t last)
+{
+    pass_of(s)->rest(s, first, last);
+}
+
+static void loosen_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    pass_of(s)->loosen(s, slab->first, slab->last, sum);
+}
+
+/** What acts once, by the velocities at the start. Returns what it dissipates [J/m]. */
+static double loosen(sph2d_sim *sim)
+{
+    sph2d__system *s = &sim->system;
+    sph2d__over_particles(s, s->fluid.count, rest_some);
+    sph2d__over_particles(s, s->fluid.count, expect_some);
+    sph2d__images_of_pressure(s);
+    sph2d__close_find(s);
+    sph2d__images_of_rest(s);
+    const sph2d__slab_sum work = sph2d__over_fluid(s, loosen_slab, NULL);
+    sim->record.energy_pressed -= work.first;
+    sim->record.energy_fed -= work.third;
+    sim->record.energy_diffused -= work.fourth;
+    return -work.first - work.fourth;
+}
+
+/* ---- relaxation of density --------------------------------------------------------------------------------------- */
+
+/** What theta changes by over the step, into `summed`, if all of it is paid for. */
+static void relax_some(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    const double part = fmin(z->dt * sqrt(head_of_sound(s)) / (RELAXATION * s->spacing), 1);
+    for (size_t i = first; i < last; ++i)
+        z->summed[i] *= part / sph2d__density_ratio(s->fluid.excess[i]);
+}
+
+/** Sums up what it costs by the pressures that were found, and what else is dissipated with it [J/m]. */
+static void pay_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__store *f = &s->fluid;
+    const double c2 = s->sound_speed * s->sound_speed, m = s->mass, dt = z->dt, part = z->ahead / dt;
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        const double x = z->rubbed_x[i], y = z->rubbed_y[i], p = z->solved[i], relaxed = z->summed[i];
+        const double then = z->soft[i] * p + (1 - c2 * z->soft[i]) * f->excess[i];
+        const double squeezed = (then - f->excess[i]) / part, before = f->excess[i] - part * relaxed;
+        const double cost = m * c2 * relaxed * then, change = squeezed + relaxed;
+        sum->first += cost;
+        sum->second += cost + m * (p * squeezed - c2 * change * (before + change / 2)) -
+                       m * dt * (x * (f->vx[i] + dt / 2 * x) + y * (f->vy[i] + dt / 2 * y));
+    }
+}
+
+/* ---- the matrix -------------------------------------------------------------------------------------------------- */
+
+static void transpose_some(sph2d__system *s, size_t first, size_t last)
+{
+    pass_of(s)->transpose(s, first, last);
+}
+
+static void diverge_some(sph2d__system *s, size_t first, size_t last)
+{
+    pass_of(s)->diverge(s, first, last);
+}
+
+static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    pass_of(s)->multiply(s, slab->first, slab->last, sum);
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sum->first += sph2d__close_multiply(s, i);
+}
+
+/** The motion D^T of the pressures in `press`, of the liquid and of bodies. */
+static void transpose(sph2d__system *s)
+{
+    sph2d__images_of_pressure(s);
+    sph2d__over_particles(s, s->fluid.count, transpose_some);
+}
+
+/** The product of the matrix with the direction, whose pressures are in `press`; returns their own product. */
+static double multiply(sph2d__system *s)
+{
+    transpose(s);
+    for (size_t k = 0; k < s->rigid_count; ++k)
+        s->frozen->bodies[k].trial = (sph2d__twist){0, 0, 0};
+    if (s->rigid_count > 0) {
+        sph2d__frozen_bodies_pull(s, -1);
+        sph2d__frozen_bodies_feed(s);
+    }
+    sph2d__images_of_velocity(s);
+    return sph2d__over_fluid(s, multiply_slab, NULL).first;
+}
+
+/** The pressures of a particle, as neighbours see them. */
+static void press(sph2d__frozen *z, size_t i, double p)
+{
+    const float row[4] = {(float)(p * z->bxx[i]), (float)(p * z->bxy[i]), (float)(p * z->byy[i]), (float)p};
+    memcpy(z->press + 4 * i, row, sizeof row);
+}
+
+/* ---- the right side ---------------------------------------------------------------------------------------------- */
+
+static double known(const sph2d__system *s, size_t i)
+{
+    const double c2 = s->sound_speed * s->sound_speed;
+    return s->frozen->holds && s->frozen->known[i] > 0 ? c2 * s->fluid.excess[i] : 0;
+}
+
+/** The pressures that are known: those of reservoirs. */
+static void press_known(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i)
+        press(s->frozen, i, known(s, i));
+}
+
+/** The liquid's motion in the middle of the step, without the pressures that are not known. */
+static void start_motion(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__store *f = &s->fluid;
+    for (size_t i = first; i < last; ++i) {
+        const double w = z->ahead * (z->holds ? 1 - z->held[i] : 1);
+        double x = f->vx[i] + w * (f->ax[i] + z->rubbed_x[i]), y = f->vy[i] + w * (f->ay[i] + z->rubbed_y[i]);
+        if (z->holds) {
+            x -= w * z->pull_back_x[i];
+            y -= w * z->pull_back_y[i];
+        }
+        const float row[4] = {(float)x, (float)y, (float)(z->cxx[i] * x + z->cyx[i] * y + z->wall_zx[i]),
+                              (float)(z->cxy[i] * x + z->cyy[i] * y + z->wall_zy[i])};
+        memcpy(z->velocity + 4 * i, row, sizeof row);
+    }
+}
+
+/** The right side, with D of that motion in `product`, and where the solve starts. Sums up their squares and product. */
+static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    sph2d__frozen *z = s->frozen;
+    const double w = z->ahead, c2 = s->sound_speed * s->sound_speed;
+    const double stiff = c2 + DAMPING * s->sound_speed * s->support / w;
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        const double theta = s->fluid.excess[i] + z->diffused[i] + w / z->dt * z->summed[i], p = known(s, i);
+        const bool held = z->holds && z->known[i] > 0;
+        s->fluid.excess[i] = theta;
+        z->soft[i] = 1 / (held ? c2 : stiff);
+        z->solved[i] = held ? p : 0;
+        z->left_over[i] = w * (z->product[i] - z->acts[i] * z->wall_rate[i]) + (held ? 0 : c2 / stiff * theta);
+        z->first[i] = z->direction[i] = held ? 0 : c2 * theta;
+        press(z, i, z->direction[i]);
+        sph2d__close_load(s, i, sum);
+        if (held)
+            continue;
+        sum->first += z->left_over[i] * z->left_over[i];
+        sum->second += z->first[i] * z->left_over[i];
+        sum->third += z->first[i] * z->first[i];
+    }
+}
+
+static sph2d__slab_sum load(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    const size_t n = s->fluid.count;
+    if (s->rigid_count > 0)
+        sph2d__frozen_bodies_expect(s, z->ahead);
+    if (z->holds) {
+        sph2d__over_particles(s, n, press_known);
+        transpose(s);
+        if (s->rigid_count > 0)
+            sph2d__frozen_bodies_pull(s, z->ahead);
+    }
+    sph2d__over_particles(s, n, start_motion);
+    if (s->rigid_count > 0)
+        sph2d__frozen_bodies_feed(s);
+    sph2d__images_of_velocity(s);
+    sph2d__over_particles(s, n, diverge_some);
+    return sph2d__over_fluid(s, load_slab, NULL);
+}
+
+/* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
+
+/** How far to go along a direction; what of the last direction, and of the first pressures, the next one has. */
+typedef struct way {
+    double length, keep, first;
+} way;
+
+/** A step along the direction. Sums up the square of what is left, and its product with that of the first pressures. */
+static void go_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const way *w = with;
+    sph2d__frozen *z = s->frozen;
+    double square = 0, first = 0;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        const double left = z->left_over[i] - w->length * z->product[i];
+        const bool held = z->holds && z->known[i] > 0;
+        z->solved[i] += w->length * z->direction[i];
+        z->left_over[i] = left;
+        square += held ? 0 : left * left;
+        first += held ? 0 : left * z->of_first[i];
+        sph2d__close_go(s, i, w->length, sum);
+    }
+    sum->first += square;
+    sum->second += first;
+}
+
+/** The next direction. */
+static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const way *w = with;
+    sph2d__frozen *z = s->frozen;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        const bool held = z->holds && z->known[i] > 0;
+        z->direction[i] = held ? 0 : z->left_over[i] + w->keep * z->direction[i] - w->first * z->first[i];
+        press(z, i, z->direction[i]);
+        sph2d__close_turn(s, i, w->keep, w->first);
+    }
+}
+
+static void keep_first(sph2d__system *s, size_t first, size_t last)
+{
+    memcpy(s->frozen->of_first + first, s->frozen->product + first, (last - first) * sizeof *s->frozen->product);
+    for (size_t i = first; i < last; ++i)
+        sph2d__close_keep_first(s, i);
+}
+
+/* The matrix is symmetric to the rounding of floats alone. */
+static const double LEAST_TOLERANCE = 1e-5;
+
+/** The solve, from the sums of `load` on. */
+static void solve(sph2d__system *s, sph2d__slab_sum sum)
+{
+    const double tolerance = fmax(s->method.tolerance, LEAST_TOLERANCE), wanted = tolerance * tolerance * sum.first;
+    double left = sum.first, along = 0;
+    uint64_t count = s->iterations;
+    way w = {0, 0, 0};
+    if (sum.third > 0) {
+        along = multiply(s);
+        sph2d__over_particles(s, s->fluid.count, keep_first);
+        ++count;
+        w.length = sum.second / along;
+        sum = sph2d__over_fluid(s, go_slab, &w);
+        left = sum.first;
+        w.first = sum.second / along;
+    } else {
+        sph2d__over_particles(s, s->fluid.count, keep_first);
+    }
+    while (left > wanted && count < s->method.max_iterations) {
+        sph2d__over_fluid(s, turn_slab, &w);
+        const double bent = multiply(s);
+        ++count;
+        if (!(bent > 0))
+            break;
+        w.length = left / bent;
+        sum = sph2d__over_fluid(s, go_slab, &w);
+        w.keep = sum.first / left;
+        w.first = along > 0 ? sum.second / along : 0;
+        left = sum.first;
+    }
+    s->iterations = count;
+    s->wanted_residual = tolerance;
+    s->residual = wanted > 0 ? tolerance * sqrt(left / wanted) : 0;
+    s->unconverged = left > wanted;
+}
+
+/** The same with `part` of the relaxation: takes the rest of it from the right side, of which A p and what is left are
+ *  there, and starts from p. */
+static void load_again_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *part = with, c2 = s->sound_speed * s->sound_speed;
+    sph2d__frozen *z = s->frozen;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        const bool held = z->holds && z->known[i] > 0;
+        const double less = (1 - *part) * z->ahead / z->dt * z->summed[i];
+        s->fluid.excess[i] -= less;
+        z->summed[i] *= *part;
+        z->left_over[i] += z->product[i] - (held ? 0 : c2 * z->soft[i] * less);
+        z->first[i] = z->direction[i];
+        press(z, i, z->direction[i]);
+        sph2d__close_load_again(s, i, sum);
+        if (held)
+            continue;
+        z->solved[i] = 0;
+        sum->first += z->left_over[i] * z->left_over[i];
+        sum->second += z->first[i] * z->left_over[i];
+        sum->third += z->first[i] * z->first[i];
+    }
+}
+
+static void press_again(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t i = first; i < last; ++i) {
+        z->direction[i] = z->holds && z->known[i] > 0 ? 0 : z->solved[i];
+        press(z, i, z->direction[i]);
+        sph2d__close_push(s, i, false);
+    }
+}
+
+/** Takes back what of relaxation is not paid for, with p >= 0 from it, its cost falls by more than its part; and what would
+ *  draw particles together or to walls. */
+static void pay(sph2d__system *s, double paid)
+{
+    const sph2d__slab_sum of = sph2d__over_fluid(s, pay_slab, NULL);
+    paid = fmax(paid + of.second, 0);
+    if ((of.first <= paid && !sph2d__close_pull(s)) || s->unconverged || s->iterations >= s->method.max_iterations)
+        return;
+    const double part = of.first <= paid ? 1 : paid / of.first;
+    sph2d__over_particles(s, s->fluid.count, press_again);
+    multiply(s);
+    solve(s, sph2d__over_fluid(s, load_again_slab, &part));
+}
+
+/* ---- the step ---------------------------------------------------------------------------------------------------- */
+
+static void press_solved(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i) {
+        press(s->frozen, i, s->frozen->solved[i]);
+        sph2d__close_push(s, i, true);
+    }
+}
+
+static void finish_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    pass_of(s)->finish(s, slab->first, slab->last, sum);
+}
+
+/** Velocities and densities by the pressures that were found. */
+static void finish(sph2d_sim *sim)
+{
+    sph2d__system *s = &sim->system;
+    sph2d__record *r = &sim->record;
+    sph2d__over_particles(s, s->fluid.count, press_solved);
+    transpose(s);
+    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL);
+    sph2d__images_of_velocity(s); /* where they are now */
+    r->energy_pressed -= work.first;
+    r->energy_viscous -= work.second;
+    r->energy_fed -= work.third;
+    r->energy_forces += work.fourth;
+    s->external = (sph2d_vec2){s->external.x + work.x, s->external.y + work.y};
+    if (s->rigid_count > 0) {
+        double friction;
+        r->energy_pressed -= sph2d__frozen_bodies_kick(s, 1, &friction);
+        r->energy_pressed -= sph2d__frozen_bodies_late(s);
+        r->energy_viscous -= friction;
+    }
+}
+
+void sph2d__implicit_sound(sph2d_sim *sim, double dt)
+{
+    sph2d__system *s = &sim->system;
+    bound(s, dt);
+    sph2d__over_particles(s, s->fluid.count, relax_some);
+    sph2d__frozen_begin(s);
+    sph2d__frozen_start_external(s);
+    sph2d__images_of_velocity(s);
+    sim->record.energy_fed += sph2d__frozen_store(s);
+    const double paid = loosen(sim);
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);
+    if (s->frozen->thick)
+        sph2d__thick_solve(s);
+    s->iterations = 0;
+    solve(s, load(s));
+    pay(s, paid);
+    finish(sim);
+    sim->record.energy_pressed -= sph2d__frozen_store(s); /* is not dissipated */
+    sim->record.iterations += s->iterations;
+    sim->record.unconverged += s->unconverged;
+    sim->record.unconverged_row = s->unconverged ? sim->record.unconverged_row + 1 : 0;
+}

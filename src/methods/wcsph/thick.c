@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT */
+/** @file thick.c
+ *  Viscosity that an implicit step (implicit.c) solves for, where the liquid is so thick that it is not stable at once over
+ *  a step: with the forces of wcsph.h and of walls without slip (wcsph_friction.c), V v = K v - sum of viscosity,
+ *
+ *      (1 + dt V) v* = v_0 + dt (a + k),   a_v = k - V v*
+ *
+ *  a is the acceleration of the last step by all else: with pressure, without which liquid that it holds would seem to fall
+ *  for a step, and a steady flow would depend on the step's length. a_v then acts with the pressure of this one. After
+ *  Weiler, Koschier, Brand & Bender 2018 (Computer Graphics Forum 37), by conjugate gradients with the matrix's diagonal as
+ *  preconditioner. It is summed over pairs from v*, opposite in both particles of one, whatever the tolerance. */
+#include <math.h>
+#include <string.h>
+
+#include "methods/wcsph/wcsph.h"
+
+/* What may be left of the equations: of velocities in the mean over the particles, and of the scene's speed. It is no
+ * error of momentum, and gone with the next step. */
+static const double TOLERANCE = 1e-4, FLOOR = 1e-8;
+/* 1 + dt V has condition numbers up to some 10^5: bounds of yield stress in one cell. */
+enum { MOST = 1000 };
+
+static const sph2d__thick_pass *pass_of(const sph2d__system *s)
+{
+    return sph2d__thick_pass_find(s->isa);
+}
+
+static void see(sph2d__frozen *z, size_t i, double x, double y)
+{
+    const float row[4] = {(float)x, (float)y, 0, 0};
+    memcpy(z->velocity + 4 * i, row, sizeof row);
+}
+
+static void see_start(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i)
+        see(s->frozen, i, s->fluid.vx[i], s->fluid.vy[i]);
+}
+
+static void see_way(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i)
+        see(s->frozen, i, s->frozen->way_x[i], s->frozen->way_y[i]);
+}
+
+static void see_found(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i)
+        see(s->frozen, i, s->frozen->thick_x[i], s->frozen->thick_y[i]);
+}
+
+static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    pass_of(s)->load(s, slab->first, slab->last, sum);
+}
+
+static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    pass_of(s)->multiply(s, slab->first, slab->last, sum);
+}
+
+static void finish_some(sph2d__system *s, size_t first, size_t last)
+{
+    pass_of(s)->finish(s, first, last);
+}
+
+/** A step along the direction; sums up the square of what is left over the diagonal. */
+static void go_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *length = with;
+    sph2d__frozen *z = s->frozen;
+    double square = 0;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        const double x = z->rest_x[i] - *length * z->slowed_x[i], y = z->rest_y[i] - *length * z->slowed_y[i];
+        z->thick_x[i] += *length * z->way_x[i];
+        z->thick_y[i] += *length * z->way_y[i];
+        z->rest_x[i] = x;
+        z->rest_y[i] = y;
+        square += z->eased_x[i] * x * x + z->eased_y[i] * y * y;
+    }
+    sum->first = square;
+}
+
+static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *keep = with;
+    sph2d__frozen *z = s->frozen;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        z->way_x[i] = z->eased_x[i] * z->rest_x[i] + *keep * z->way_x[i];
+        z->way_y[i] = z->eased_y[i] * z->rest_y[i] + *keep * z->way_y[i];
+    }
+    see_way(s, slab->first, slab->last);
+}
+
+void sph2d__thick_solve(sph2d__system *s)
+{
+    const size_t n = s->fluid.count;
+    sph2d__over_particles(s, n, see_start);
+    sph2d__images_of_velocity(s);
+    const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL);
+    const double wanted = TOLERANCE * TOLERANCE * sum.second +
+                          FLOOR * FLOOR * (double)n * s->method.max_compression * s->sound_speed * s->sound_speed;
+    double left = sum.first;
+    sph2d__over_particles(s, n, see_way);
+    for (int k = 0; left > wanted && k < MOST; ++k) {
+        sph2d__images_of_velocity(s);
+        const double bent = sph2d__over_fluid(s, multiply_slab, NULL).first;
+        if (!(bent > 0))
+            break;
+        const double length = left / bent, before = left;
+        left = sph2d__over_fluid(s, go_slab, &length).first;
+        const double keep = left / before;
+        sph2d__over_fluid(s, turn_slab, &keep);
+    }
+    sph2d__over_particles(s, n, see_found);
+    sph2d__images_of_velocity(s);
+    sph2d__over_particles(s, n, finish_some);
+}
