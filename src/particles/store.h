@@ -47,15 +47,13 @@ enum { SPH2D__PADDING = 16 };
     X(excess)   /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3]; with \
                         * variational operators the logarithm of density over rest density */       \
     X(stored)   /* a particle's energy of close pairs and beside sides [J/kg]: wcsph.h */                              \
-    X(push)     /* D' times the pressures or the search direction: two floats, lanes.h */                              \
     X(acting_pressure) /* by which pairs act where another is reported [Pa]: muller.h, projection.h */                 \
     X(next_x)          /* position predicted by a pressure solver */                                                   \
     X(next_y)                                                                                                          \
-    X(diagonal)     /* of the matrix of a pressure solver, then its inverse */                                         \
+    X(diagonal)     /* of the matrix of a pressure solver */                                                           \
     X(multiplier)   /* dt^2 p/rho0 during the solution [m^2] */                                                        \
     X(residual)     /* compression error */                                                                            \
-    X(direction)    /* search direction, or trial multiplier: a float twice, lanes.h */                                \
-    X(product)      /* the matrix times the direction */                                                               \
+    X(direction)    /* trial multiplier: a float twice, lanes.h */                                                     \
     X(packed_place) /* two arrays of floats each, one after the other: packed.h */                                     \
     X(packed_state)                                                                                                    \
     X(start_x) /* position of a boundary particle at time 0 */                                                         \

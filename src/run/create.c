@@ -93,8 +93,6 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     bool lengths = s->walls_smooth || sim->method->surface_force;
     sph2d__set walls = sim->method->walls & ~(lengths ? 0 : friction);
     s->walls.carried = walls;
-    if (sim->method->project && scene->body_count > 0)
-        walls |= SPH2D__BIT(push);
     s->fluid.has = sim->method->fluid & ~unused;
     s->walls.has = walls;
     s->fluid_cells.period = s->wall_cells.period =

@@ -8,7 +8,7 @@
 #define HAS(feature) (UINT32_C(1) << SPH2D_FEATURE_##feature)
 #define WALL(form) (UINT32_C(1) << SPH2D_WALL_##form)
 
-/** H/dx of pcisph and constraint: all kernels have the standard deviation (H over it: Dehnen & Aly 2012, table 1) of
+/** H/dx of pcisph: all kernels have the standard deviation (H over it: Dehnen & Aly 2012, table 1) of
  *  Wendland's C2 at 2.4. For a lattice strained to 1:2 the density sum of narrower kernels is 7 to 13 % too high, so
  *  that liquid expands; with these it is 2 to 3 %. */
 static double projected_support(sph2d_kernel kernel)
@@ -36,11 +36,6 @@ static double projected_support(sph2d_kernel kernel)
 #define WEAKLY_COMPRESSIBLE                                                                                            \
     .side_form = SPH2D_WALL_GENERALISED, .obstacle_form = SPH2D_WALL_GENERALISED, .has_sound = true,                   \
     .sound_compression = 1, INTEGRATED_DENSITY
-
-/* What pcisph and constraint share. */
-#define PROJECTED                                                                                                      \
-    .support_of_kernel = projected_support, .cfl = 0.4, .cfl_by_spacing = true, .side_form = SPH2D_WALL_GENERALISED,   \
-    .obstacle_form = SPH2D_WALL_GENERALISED, SUMMED_DENSITY, .damping_hint = "more fluid.dynamic_viscosity"
 
 static const sph2d__method_row rows[] = {
     {.info = {.method = SPH2D_METHOD_WCSPH,
@@ -110,7 +105,13 @@ static const sph2d__method_row rows[] = {
      .free_compression = true,
      .sound_compression = 0.1, /* the iteration keeps max_compression */
      .convergence_hint = "method.max_compression",
-     PROJECTED},
+     .support_of_kernel = projected_support,
+     .cfl = 0.4,
+     .cfl_by_spacing = true,
+     .side_form = SPH2D_WALL_GENERALISED,
+     .obstacle_form = SPH2D_WALL_GENERALISED,
+     .damping_hint = "more fluid.dynamic_viscosity",
+     SUMMED_DENSITY},
     {.info = {.method = SPH2D_METHOD_MULLER,
               .word = "muller",
               .name = "muller",

@@ -34,8 +34,6 @@
     X(energy_pressed, "EnergyPressed", 1, 1, -2, "energy dissipated by the pressure projection, per metre")            \
     X(work_pressed, "WorkPressed", 1, 1, -2,                                                                           \
       "work of the projection's pressure, less that of walls, since the last sample, per metre")                       \
-    X(split_mean, "SplitMean", 0, 0, 0,                                                                                \
-      "part of the projection's impulses that velocities did not keep, in the mean over some 100 steps")               \
     X(energy_elastic, "EnergyElastic", 1, 1, -2, "elastic energy at the last sample, per metre")                       \
     X(power_walls, "PowerWalls", 1, 1, -3, "power of walls that move at the last sample, per metre")                   \
     X(power_friction, "PowerFriction", 1, 1, -3, "power of their friction at the last sample, per metre")              \

@@ -83,24 +83,6 @@ static sph2d__twist ease_of(const sph2d__system *s, const sph2d__rigid *r)
     return sph2d__rigid_accelerate(r, (sph2d__twist){s->mass, s->mass, s->mass});
 }
 
-/** Adds a body to the diagonal: for each liquid particle |sum of G_ib|^2 by its ease. Pairs are in the order of these. */
-static void add_to_diagonal(sph2d__system *s, size_t body)
-{
-    const sph2d__body_pairs *p = &s->body_pairs;
-    const sph2d__rigid *r = &s->rigids[body];
-    sph2d__twist ease = ease_of(s, r);
-    for (size_t k = p->first[body]; k < p->first[body + 1];) {
-        uint32_t i = p->items[k].fluid;
-        sph2d__twist sum = {0, 0, 0};
-        for (; k < p->first[body + 1] && p->items[k].fluid == i; ++k) {
-            sph2d_vec2 arm = arm_of(s, r, p->items[k].wall);
-            double gx = p->items[k].gx, gy = p->items[k].gy;
-            sum = sph2d__twist_add(sum, 1, (sph2d__twist){gx, gy, arm.x * gy - arm.y * gx});
-        }
-        s->fluid.diagonal[i] += ease.x * sum.x * sum.x + ease.y * sum.y * sum.y + ease.turn * sum.turn * sum.turn;
-    }
-}
-
 bool sph2d__body_rows_gather(sph2d__system *s)
 {
     sph2d__body_pairs *p = &s->body_pairs;
@@ -122,34 +104,22 @@ bool sph2d__body_rows_gather(sph2d__system *s)
     for (size_t k = s->rigid_count; k > 0; --k) /* entering moved each to where the next begins */
         p->first[k] = p->first[k - 1];
     p->first[0] = 0;
-    for (size_t k = 0; k < s->rigid_count; ++k)
-        add_to_diagonal(s, k);
-    memset(s->walls.push, 0, (s->walls.count + SPH2D__PADDING) * sizeof *s->walls.push);
     return true;
 }
 
 /* ---- motion ------------------------------------------------------------------------------------------------------ */
 
-/** What a pass over the bodies does. */
-typedef struct pass {
-    sph2d__system *s;
-    bool ends;         /**< multipliers in place of directions */
-    bool predicts;     /**< sets velocities in place of pushes */
-    double keep, fall; /**< push = keep D' y + fall a */
-} pass;
-
-/** (D' y)_body with the directions, which are floats, or the multipliers. */
-static sph2d__twist transpose(const pass *p, size_t body)
+/** (D' y)_body with the directions, which are floats, or in the end the multipliers. */
+static sph2d__twist transpose(const sph2d__system *s, size_t body, bool ends)
 {
-    const sph2d__system *s = p->s;
     const sph2d__body_pairs *pairs = &s->body_pairs;
     const sph2d__rigid *r = &s->rigids[body];
     sph2d__twist sum = {0, 0, 0};
     for (size_t k = pairs->first[body]; k < pairs->first[body + 1]; ++k) {
         const sph2d__body_pair *pair = &pairs->items[k];
-        double y = p->ends ? s->fluid.multiplier[pair->fluid] + s->walls.multiplier[pair->wall]
-                           : sph2d__splat_value(s->fluid.direction[pair->fluid]) +
-                                 sph2d__splat_value(s->walls.direction[pair->wall]);
+        double y = ends ? s->fluid.multiplier[pair->fluid] + s->walls.multiplier[pair->wall]
+                        : sph2d__splat_value(s->fluid.direction[pair->fluid]) +
+                              sph2d__splat_value(s->walls.direction[pair->wall]);
         sph2d_vec2 arm = arm_of(s, r, pair->wall);
         double fx = -y * (double)pair->gx, fy = -y * (double)pair->gy;
         sum = sph2d__twist_add(sum, 1, (sph2d__twist){fx, fy, arm.x * fy - arm.y * fx});
@@ -157,66 +127,43 @@ static sph2d__twist transpose(const pass *p, size_t body)
     return sum;
 }
 
-static double pack(double x, double y)
+/** Velocities of the boundary particles of a body. */
+static void move(sph2d__system *s, const sph2d__rigid *r, sph2d__twist by)
 {
-    const float both[2] = {(float)x, (float)y};
-    double packed;
-    memcpy(&packed, both, sizeof packed);
-    return packed;
-}
-
-/** Moves the boundary particles of a body by a push, or to a velocity. */
-static void move(const pass *p, const sph2d__rigid *r, sph2d__twist by)
-{
-    sph2d__system *s = p->s;
     uint64_t first = s->rigids[0].first_id;
     for (uint64_t id = r->first_id; id < r->end_id; ++id) {
         size_t b = s->rigid_index[id - first];
         sph2d_vec2 arm = arm_of(s, r, b);
-        double x = by.x - by.turn * arm.y, y = by.y + by.turn * arm.x;
-        if (p->predicts) {
-            s->walls.vx[b] = x;
-            s->walls.vy[b] = y;
-        } else {
-            s->walls.push[b] = pack(x, y);
-        }
+        s->walls.vx[b] = by.x - by.turn * arm.y;
+        s->walls.vy[b] = by.y + by.turn * arm.x;
     }
 }
 
-static void pass_body(const pass *p, size_t k)
+/** V + dt a - (m/M, m/M, m/I) D' y/dt. */
+static void predict_body(sph2d__system *s, size_t k, bool ends)
 {
-    const sph2d__rigid *r = &p->s->rigids[k];
-    sph2d__twist ease = ease_of(p->s, r), sum = transpose(p, k);
-    sph2d__twist push = {p->keep * ease.x * sum.x, p->keep * ease.y * sum.y, p->keep * ease.turn * sum.turn};
-    if (p->fall != 0)
-        push = sph2d__twist_add(push, p->fall, sph2d__rigid_accelerate(r, r->other));
-    move(p, r, p->predicts ? sph2d__twist_add(r->state->velocity, 1, push) : push);
+    const sph2d__rigid *r = &s->rigids[k];
+    const double keep = -1 / s->step;
+    sph2d__twist ease = ease_of(s, r), sum = transpose(s, k, ends);
+    sph2d__twist push = {keep * ease.x * sum.x, keep * ease.y * sum.y, keep * ease.turn * sum.turn};
+    push = sph2d__twist_add(push, s->step, sph2d__rigid_accelerate(r, r->other));
+    move(s, r, sph2d__twist_add(r->state->velocity, 1, push));
 }
 
-static void over_bodies(pass p)
+static void predict(sph2d__system *s, bool ends)
 {
-    size_t count = p.s->rigid_count;
+    size_t count = s->rigid_count;
 #pragma omp taskloop num_tasks(sph2d__tasks(count, 1)) if (count > 1)
     for (size_t k = 0; k < count; ++k)
-        pass_body(&p, k);
-}
-
-void sph2d__body_rows_apply_transpose(sph2d__system *s)
-{
-    over_bodies((pass){.s = s, .keep = 1});
-}
-
-void sph2d__body_rows_remaining_motion(sph2d__system *s, double fall)
-{
-    over_bodies((pass){.s = s, .keep = -1, .fall = fall});
+        predict_body(s, k, ends);
 }
 
 void sph2d__body_rows_predict(sph2d__system *s)
 {
-    over_bodies((pass){.s = s, .predicts = true, .keep = -1 / s->step, .fall = s->step});
+    predict(s, false);
 }
 
 void sph2d__body_rows_end(sph2d__system *s)
 {
-    over_bodies((pass){.s = s, .ends = true, .predicts = true, .keep = -1 / s->step, .fall = s->step});
+    predict(s, true);
 }

@@ -3,7 +3,7 @@
  *  Bodies that the liquid moves, in D and D' of projection.h. With u_b = V + Omega x r_b on a body's boundary particles,
  *  masses m of a particle, M and I of the body, its row of D' and its motion by it are
  *
- *      (D' y)_body = -sum over i, b of (y_i + y_b) (G_ib, r_b x G_ib)            push = (m/M, m/M, m/I) (D' y)_body
+ *      (D' y)_body = -sum over i, b of (y_i + y_b) (G_ib, r_b x G_ib)            moved by (m/M, m/M, m/I) (D' y)_body
  *
  *  the transpose of what u_b adds to D u, so that the matrix D M^-1 D' is symmetric and has no negative eigenvalue with
  *  bodies of any mass, and their reaction is as implicit as the liquid's. Sums over pairs are in their order. */
@@ -15,14 +15,9 @@
 /** Frees the pairs. */
 void sph2d__body_pairs_free(sph2d__body_pairs *pairs, sph2d__memory *memory);
 
-/** Lists the pairs of all bodies from the neighbours, and adds the bodies to the diagonal of the liquid's rows. False when
- *  memory is short. */
+/** Lists the pairs of all bodies from the neighbours. False when memory is short. */
 bool sph2d__body_rows_gather(sph2d__system *system);
 
-/** Pushes of boundary particles: push = D' direction for bodies, 0 for all others. */
-void sph2d__body_rows_apply_transpose(sph2d__system *system);
-/** push = fall a - D' direction, a the bodies' acceleration by all but pressure. */
-void sph2d__body_rows_remaining_motion(sph2d__system *system, double fall);
 /** Velocities of bodies' boundary particles at the end of the step, if the directions, or the multipliers, are right. */
 void sph2d__body_rows_predict(sph2d__system *system);
 void sph2d__body_rows_end(sph2d__system *system);

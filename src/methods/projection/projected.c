@@ -39,12 +39,6 @@
  *  it calms the trembling of a liquid at rest. There it goes by A', as far as the step's energy rises by no more than a
  *  quarter of what is to be put right.
  *
- *  Where d carries weight (C < 0), what velocities do not keep holds nothing up: liquid sinks by it, which theta puts
- *  right again, and so on, with pressures of 1/(1 - theta) of what they should be. A column of 10 m by 0.1 m stood under
- *  1.66 rho g H. So with method `constraint` the mean of theta over some hundred steps is at most 0.04 there, while the
- *  error of the energy balance stays below 0.2 % of its scale. Method `pcisph`, whose pressures overshoot, would make up
- *  to 1 % of a scene's energy from nothing by that.
- *
  *  Position corrections without velocities are known as split impulses; here they are split only where energy asks for
  *  it. */
 #include <math.h>
@@ -53,7 +47,6 @@
 #include "methods/projection/implicit_viscosity.h"
 #include "methods/projection/limited_viscosity.h"
 #include "methods/projection/projection.h"
-#include "scene/method_table.h"
 #include "sim/stages.h"
 
 static void drift(sph2d_sim *sim, double dt, sph2d__batch *w)
@@ -111,20 +104,6 @@ static double theta_of(double above, double whole, double middle, double curve)
     return fmin(theta, whole > 0 ? 1 : LENT * above / (curve / 2 - whole));
 }
 
-/* The most that theta is in the mean where pressure carries weight, and over how many steps. */
-static const double MEAN_MOST = 0.04, MEAN_STEPS = 100;
-/* Part of the energy scale by which the error of the balance may have risen with that limit. */
-static const double BROUGHT = 2e-3;
-
-/** The most that theta may be in this step. */
-static double limit_of(const sph2d_sim *sim, double weight)
-{
-    bool overshoots = sph2d__method_row_of(&sim->system.method)->free_compression;
-    double mean = sim->record.split_mean, brought = sim->record.energy_error - sim->record.error_low;
-    bool free = overshoots || weight >= 0 || brought > BROUGHT * sph2d__sim_fall_energy(sim);
-    return !free ? fmax(0, mean + MEAN_STEPS * (MEAN_MOST - mean)) : 1;
-}
-
 /** Finds theta, and books the work of pressure that moving walls do not bring. */
 static void split(sph2d_sim *sim, double dt)
 {
@@ -132,8 +111,7 @@ static void split(sph2d_sim *sim, double dt)
     sph2d__slab_sum w = sph2d__over_fluid(&sim->system, sum_work, NULL);
     sph2d__bodies_add_work(sim, dt, &w);
     double above = w.first - walls, whole = w.second + w.third, curve = 2 * (w.second - w.third - w.first);
-    sim->split = above > 0 ? fmin(theta_of(above, whole, w.second, curve), limit_of(sim, w.third)) : 0;
-    sim->record.split_mean += (sim->split - sim->record.split_mean) / MEAN_STEPS;
+    sim->split = above > 0 ? fmin(theta_of(above, whole, w.second, curve), 1) : 0;
     sim->record.work_pressed += mass * (above + sim->split * (sim->split * curve / 2 - whole));
 }
 

@@ -15,7 +15,6 @@
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
 #include "methods/terms/viscosity.h"
-#include "scene/method_table.h"
 #include "simd/lanes.h"
 
 /** Pairs of a particle in a filled lattice, half as many again for disorder, and walls. */
@@ -73,25 +72,6 @@ bool sph2d__projection_gather(sph2d__system *s)
 
 /* ---- sums over neighbours ---------------------------------------------------------------------------------------- */
 
-/** How much of velocities and accelerations leads. */
-typedef struct shares {
-    double keep, fall;
-} shares;
-
-static void spread_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)with;
-    (void)sum;
-    sph2d__projection_passes_find(s->isa)->apply_transpose(s, slab->first, slab->last);
-}
-
-static void lead_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    const shares *w = with;
-    (void)sum;
-    sph2d__projection_passes_find(s->isa)->remaining_motion(s, w->keep, w->fall, slab->first, slab->last);
-}
-
 static void move_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
@@ -104,45 +84,6 @@ static void press_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
     const double *share = with;
     (void)sum;
     sph2d__projection_passes_find(s->isa)->press(s, *share, slab->first, slab->last);
-}
-
-/** What stands behind the last particle, with which shorter lists end: nothing that a gradient of zero would not undo.
- */
-static void push_nothing(sph2d__store *f)
-{
-    if (f->capacity > 0)
-        f->push[f->count] = 0;
-}
-
-/** The same of directions, before they are read. */
-static void lead_nothing(sph2d__system *s)
-{
-    sph2d__store *stores[] = {&s->fluid, &s->walls};
-    for (int k = 0; k < 2; ++k)
-        if (stores[k]->direction && stores[k]->capacity > 0)
-            stores[k]->direction[stores[k]->count] = 0;
-}
-
-void sph2d__projection_apply_transpose(sph2d__system *s)
-{
-    lead_nothing(s);
-    sph2d__over_fluid(s, spread_slab, NULL);
-    sph2d__body_rows_apply_transpose(s);
-    push_nothing(&s->fluid);
-}
-
-void sph2d__projection_remaining_motion(sph2d__system *s, double keep, double fall)
-{
-    lead_nothing(s);
-    sph2d__over_fluid(s, lead_slab, &(shares){keep, fall});
-    sph2d__body_rows_remaining_motion(s, fall);
-    push_nothing(&s->fluid);
-}
-
-void sph2d__projection_apply(sph2d__system *s, const sph2d__slab *slab, double share, double *out)
-{
-    const sph2d__projection_passes *pass = sph2d__projection_passes_find(s->isa);
-    (slab->walls ? pass->apply_walls : pass->apply_fluid)(s, share, out, slab->first, slab->last);
 }
 
 void sph2d__projection_next_positions(sph2d__system *s)
@@ -234,8 +175,7 @@ void sph2d__projection_average(sph2d__system *s)
     sph2d__over_fluid(s, average_slab, NULL);
 }
 
-/* By the multipliers, not the pressures, which corrections of single particles bound; with the gradients as rounded as
- * those that pushed. */
+/* With the gradients as rounded as those that pushed. */
 sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
     double h2 = s->support * s->support, q = sqrt(dx * dx + dy * dy) / s->support;
@@ -252,7 +192,7 @@ sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i,
 double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
 {
     double c2 = s->sound_speed * s->sound_speed, held = s->fluid.density[i] / s->rest_density - 1;
-    double unknown = sph2d__method_row_of(&s->method)->free_compression ? s->method.max_compression : 0;
+    double unknown = s->method.max_compression;
     if (pressed)
         held = fmin(held, s->fluid.acting_pressure[i] / (s->rest_density * c2));
     return isfinite(c2) && held > unknown ? c2 * (held - unknown) * (held - unknown) / 2 : 0;
@@ -274,10 +214,17 @@ double sph2d__projection_step(const sph2d__system *s, double speed, double accel
                                 VISCOUS * sph2d__viscosity_step(s->method.kernel), FORCE, limit);
 }
 
-sph2d__lattice sph2d__projection_lattice(const sph2d__system *s)
+/** Sums over a filled square lattice of the system's spacing, the particle in the middle included. */
+typedef struct lattice_sums {
+    double value;  /* of f(q) */
+    double moment; /* of -q^2 g(q) */
+    double square; /* of (q g(q))^2 */
+} lattice_sums;
+
+static lattice_sums sum_lattice(const sph2d__system *s)
 {
     int reach = (int)(s->support / s->spacing) + 1;
-    sph2d__lattice sum = {0};
+    lattice_sums sum = {0};
     for (int i = -reach; i <= reach; ++i)
         for (int j = -reach; j <= reach; ++j) {
             double q = hypot(i, j) * s->spacing / s->support, g = sph2d__kernel_slope_at(s->method.kernel, q);
@@ -292,7 +239,7 @@ double sph2d__projection_prototype(const sph2d__system *s)
 {
     double ratio = s->spacing / s->support;
     double g = s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio / s->support;
-    return g * g * sph2d__projection_lattice(s).square;
+    return g * g * sum_lattice(s).square;
 }
 
 /** m_b = rho0 / (c sum_b' W(r_bb')) where the wall is one row of boundary particles (Akinci et al. 2012, eq. 4); those
@@ -342,11 +289,11 @@ static void fill_layers(sph2d__system *s)
 
 void sph2d__projection_prepare(sph2d__system *s)
 {
-    sph2d__lattice lattice = sph2d__projection_lattice(s);
+    lattice_sums sums = sum_lattice(s);
     double constant = sph2d__kernel_constant(s->method.kernel), ratio = s->spacing / s->support;
-    s->calibration = 1 / (ratio * ratio * constant * lattice.value);
-    s->moment = s->calibration * ratio * ratio * constant * lattice.moment / 2;
-    weigh_rows(s, lattice.value);
+    s->calibration = 1 / (ratio * ratio * constant * sums.value);
+    s->moment = s->calibration * ratio * ratio * constant * sums.moment / 2;
+    weigh_rows(s, sums.value);
     fill_layers(s);
     sph2d__implicit_viscosity_prepare(s);
 }

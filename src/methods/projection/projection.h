@@ -38,24 +38,16 @@
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
-/** The time scheme of both methods (projected.c): method.h. */
+/** The time scheme (projected.c): method.h. */
 sph2d_status sph2d__projected(sph2d_sim *sim, double dt);
 
-/** Finds the neighbours, and with them the density, the diagonal of D D' and the acceleration by viscosity, body force
- *  and surface tension of every fluid particle; of boundary particles the diagonal, and in place of a density what they
+/** Finds the neighbours, and with them the density and the acceleration by viscosity, body force and surface tension of
+ *  every fluid particle; of boundary particles the diagonal of D D', and in place of a density what they
  *  would have if the wall alone had the rest density. The cells are up to date. False when memory is short. */
 bool sph2d__projection_gather(sph2d__system *system);
 
-/** push = D' direction. Directions are a float twice, pushes two floats (lanes.h): as good as the gradients. */
-void sph2d__projection_apply_transpose(sph2d__system *system);
-
-/** push = keep v + fall a - D' direction: what multipliers leave of a motion. */
-void sph2d__projection_remaining_motion(sph2d__system *system, double keep, double fall);
-
-/** out = D push for the rows of a slab, where boundary particles move with `share` of their velocities. */
-void sph2d__projection_apply(sph2d__system *system, const sph2d__slab *slab, double share, double *out);
-
-/** next = x + dt v + dt^2 a - D' direction: where particles will be. */
+/** next = x + dt v + dt^2 a - D' direction: where particles will be. Directions are a float twice (lanes.h): as good as the
+ *  gradients. */
 void sph2d__projection_next_positions(sph2d__system *system);
 
 /** residual = rho+/rho0 - 1, and g_b, for the rows of a slab, with the fluid at `next`, boundary particles moved on by
@@ -79,9 +71,8 @@ void sph2d__projection_average(sph2d__system *system);
 /** The force of a boundary particle by the pressures that the solver left: method.h. */
 sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *system, size_t i, size_t b, double dx, double dy);
 
-/** Elastic energy of particle i [J/kg]: c0^2 e^2/2, the potential m g^2/(2 e) of a constraint g = rho/rho0 - 1 with the
- *  compliance 1/(m c0^2) of constraint.h, at the compression e that a pressure holds: the smaller of g and
- *  p/(rho0 c0^2). More is an error, which is put right without giving energy back. Before the first step (not
+/** Elastic energy of particle i [J/kg]: c0^2 e^2/2 at the compression e that a pressure holds: the smaller of
+ *  g = rho/rho0 - 1 and p/(rho0 c0^2). More is an error, which is put right without giving energy back. Before the first step (not
  *  `pressed`) nobody has a pressure, and density tells it. Method pcisph does not know of what it stops at,
  *  max_compression:
  *  there e is what is beyond. 0 without a speed of sound. */
@@ -91,16 +82,7 @@ double sph2d__projection_elastic(const sph2d__system *system, size_t i, bool pre
  *  the largest pressure, for which the gradients of a step must hold. */
 double sph2d__projection_step(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 
-/** Sums over a filled square lattice of the system's spacing, the particle in the middle included. */
-typedef struct sph2d__lattice {
-    double value;  /**< of f(q) */
-    double moment; /**< of -q^2 g(q) */
-    double square; /**< of (q g(q))^2 */
-} sph2d__lattice;
-
-sph2d__lattice sph2d__projection_lattice(const sph2d__system *system);
-
-/** sum |G|^2 of a particle in that lattice [1/m^2]. */
+/** sum |G|^2 of a particle in a filled square lattice of the system's spacing [1/m^2]. */
 double sph2d__projection_prototype(const sph2d__system *system);
 
 /** Gives boundary particles of one row the mass with which the boundary alone has the rest density at them, and sets
@@ -109,18 +91,18 @@ void sph2d__projection_prepare(sph2d__system *system);
 
 /** The arrays that this needs, besides those of the method. */
 #define SPH2D__PROJECTION_ROWS                                                                                         \
-    (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(acting_pressure) | SPH2D__BIT(diagonal) |                 \
-     SPH2D__BIT(multiplier) | SPH2D__BIT(residual) | SPH2D__BIT(direction))
+    (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(acting_pressure) | SPH2D__BIT(multiplier) |               \
+     SPH2D__BIT(residual) | SPH2D__BIT(direction))
 #define SPH2D__PROJECTION_FLUID                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) |              \
-     SPH2D__BIT(old_ay) | SPH2D__BIT(push) | SPH2D__BIT(stretch) | SPH2D__BIT(shear) | SPH2D__BIT(density_rate))
+     SPH2D__BIT(old_ay) | SPH2D__BIT(stretch) | SPH2D__BIT(shear) | SPH2D__BIT(density_rate))
 #define SPH2D__PROJECTION_CARRIED                                                                                      \
     (SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(acting_pressure) | SPH2D__BIT(ax) |  \
      SPH2D__BIT(ay))
 #define SPH2D__PROJECTION_WALLS                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) |   \
      SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) |                  \
-     SPH2D__BIT(bounce) | SPH2D__BIT(filling))
+     SPH2D__BIT(bounce) | SPH2D__BIT(filling) | SPH2D__BIT(diagonal))
 
 /** Gathering for the particles of one slab, compiled once for each instruction set and kernel; false when it is full.
  */
@@ -133,13 +115,9 @@ typedef struct sph2d__projection_gather_pass {
 /** The other pair loops, for particles `first`, which begins a slab, to `last` - 1. Prediction is compiled once for
  *  each kernel, too. */
 typedef struct sph2d__projection_passes {
-    void (*apply_transpose)(sph2d__system *system, size_t first, size_t last);
-    void (*remaining_motion)(sph2d__system *system, double keep, double fall, size_t first, size_t last);
     void (*move)(sph2d__system *system, size_t first, size_t last);
     void (*press)(sph2d__system *system, double share, size_t first, size_t last);
     void (*average)(sph2d__system *system, size_t first, size_t last);
-    void (*apply_fluid)(sph2d__system *system, double share, double *out, size_t first, size_t last);
-    void (*apply_walls)(sph2d__system *system, double share, double *out, size_t first, size_t last);
     void (*predict_fluid[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t first, size_t last);
     void (*predict_walls[SPH2D_KERNEL_COUNT])(sph2d__system *system, size_t first, size_t last);
 } sph2d__projection_passes;

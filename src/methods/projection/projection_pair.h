@@ -16,8 +16,8 @@
 /** The particles of a slice and what is summed over their pairs. */
 typedef struct slice {
     sph2d__lanes x, y, vx, vy;
-    sph2d__lanes value;          /* f(q), weighted */
-    sph2d__lanes gx, gy, square; /* G and |G|^2 */
+    sph2d__lanes value;  /* f(q), weighted */
+    sph2d__lanes square; /* of |G|, of boundary particles */
     sph2d__drag drag;
     gradient_sums gradient;
 } slice;
@@ -44,8 +44,6 @@ SPH2D__INLINE sph2d__float2 gather_pair(slice *sum, const weights *w, sph2d_kern
         share *= sph2d__lanes_gather(w->mass, index);
     sph2d__lanes g = share * w->slope * sph2d__kernel_slope(kernel, q), gx = g * dx, gy = g * dy;
     sum->value += share * sph2d__kernel_value(kernel, q);
-    sum->gx += gx;
-    sum->gy += gy;
     if (!w->mass)
         sum->square += gx * gx + gy * gy;
     if (w->viscous || w->limited) {
@@ -69,13 +67,12 @@ SPH2D__INLINE void finish_acceleration(sph2d__system *s, size_t i, const slice *
     s->fluid.ay[i] = ay;
 }
 
-/** Density and diagonal of D D' of the fluid particles `first` on of a slice. */
+/** Density of the fluid particles `first` on of a slice. */
 SPH2D__INLINE void finish_fluid(sph2d__system *s, size_t first, const slice *sum, sph2d_kernel kernel)
 {
     double h2 = s->support * s->support, own = s->calibration * s->mass / s->rest_density;
     sph2d__lanes all = sum->value + own * sph2d__kernel_value_at(kernel, 0);
     sph2d__lanes_store(s->fluid.density + first, s->rest_density * sph2d__kernel_constant(kernel) / h2 * all);
-    sph2d__lanes_store(s->fluid.diagonal + first, sum->square + sum->gx * sum->gx + sum->gy * sum->gy);
 }
 
 /** What liquid adds at boundary particle b, g_b, as a density, and the diagonal: `near` of its neighbours are liquid. */
@@ -94,12 +91,6 @@ SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const slice *sum, int
 SPH2D__INLINE sph2d__float2 transpose_pair(sph2d__float2 own, sph2d__float2 other, sph2d__float2 gradient)
 {
     return (own + other) * gradient;
-}
-
-/** (u_i - u_j) G_ij by components: their sum is a pair's part of D u. */
-SPH2D__INLINE sph2d__float2 apply_pair(sph2d__float2 own, sph2d__float2 other, sph2d__float2 gradient)
-{
-    return (own - other) * gradient;
 }
 
 /* ---- reported pressure ------------------------------------------------------------------------------------------- */

@@ -39,22 +39,6 @@ SPH2D__INLINE sph2d__float2 transpose_slice(const sph2d__system *s, size_t i)
     return transpose_over(&s->neighbours, at.fluid, at.walls, own, s->walls.direction, sum);
 }
 
-static void apply_transpose(sph2d__system *s, size_t first, size_t last)
-{
-    FOR_SLICES (first, last, i)
-        sph2d__float2_store(s->fluid.push + i, transpose_slice(s, i));
-}
-
-static void remaining_motion(sph2d__system *s, double keep, double fall, size_t first, size_t last)
-{
-    sph2d__store *f = &s->fluid;
-    FOR_SLICES (first, last, i) {
-        sph2d__lanes x = keep * sph2d__lanes_load(f->vx + i) + fall * sph2d__lanes_load(f->ax + i);
-        sph2d__lanes up = keep * sph2d__lanes_load(f->vy + i) + fall * sph2d__lanes_load(f->ay + i);
-        sph2d__float2_store(f->push + i, sph2d__float2_of(x, up) - transpose_slice(s, i));
-    }
-}
-
 static void move(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__store *f = &s->fluid;
@@ -121,52 +105,6 @@ static void average(sph2d__system *s, size_t first, size_t last)
         }
         for (int l = 0; l < SPH2D__LANES && i + (size_t)l < f->count; ++l)
             f->pressure[i + (size_t)l] = fmax(p[l] + finish_mean(&sum, l), 0);
-    }
-}
-
-/* ---- collecting -------------------------------------------------------------------------------------------------- */
-
-/** D over the pairs with fluid particles from `first` to `end`, of particles that move by u. */
-SPH2D__INLINE sph2d__float2 apply_over(const sph2d__neighbours *n, size_t first, size_t end, sph2d__float2 u,
-                                       const double *push)
-{
-    sph2d__float2 sum = {0};
-    for (size_t k = first; k < end; k += SPH2D__LANES)
-        sum += apply_pair(u, sph2d__float2_gather(push, n->index + k), sph2d__float2_load(n->gradient + k));
-    return sum;
-}
-
-static void apply_fluid(sph2d__system *s, double share, double *out, size_t first, size_t last)
-{
-    const sph2d__neighbours *n = &s->neighbours;
-    const sph2d__store *f = &s->fluid, *w = &s->walls;
-    FOR_SLICES (first, last, i) {
-        ends at = ends_of(n, i);
-        sph2d__float2 u = sph2d__float2_load(f->push + i), sum = apply_over(n, at.begin, at.fluid, u, f->push);
-        for (size_t k = at.fluid; k < at.walls; k += SPH2D__LANES) {
-            sph2d__float2 wall = {0};
-            if (share != 0)
-                wall = sph2d__float2_of(share * sph2d__lanes_gather(w->vx, n->index + k),
-                                        share * sph2d__lanes_gather(w->vy, n->index + k));
-            if (s->rigid_count > 0)
-                wall += sph2d__float2_gather(w->push, n->index + k);
-            sum += apply_pair(u, wall, sph2d__float2_load(n->gradient + k));
-        }
-        sph2d__lanes_store(out + i, sph2d__float2_x(sum) + sph2d__float2_y(sum));
-    }
-}
-
-static void apply_walls(sph2d__system *s, double share, double *out, size_t first, size_t last)
-{
-    const sph2d__neighbours *n = &s->wall_neighbours;
-    const sph2d__store *w = &s->walls;
-    FOR_SLICES (first, last, b) {
-        ends at = ends_of(n, b);
-        sph2d__float2 u = sph2d__float2_of(share * sph2d__lanes_load(w->vx + b), share * sph2d__lanes_load(w->vy + b));
-        if (s->rigid_count > 0)
-            u += sph2d__float2_load(w->push + b);
-        sph2d__float2 sum = apply_over(n, at.begin, at.fluid, u, s->fluid.push);
-        sph2d__lanes_store(out + b, sph2d__float2_x(sum) + sph2d__float2_y(sum));
     }
 }
 
@@ -240,12 +178,8 @@ SPH2D_KERNEL_MAP(FOR_KERNEL)
 #define FLUID_ENTRY(name, word) [SPH2D_KERNEL_##name] = fluid_##word,
 #define WALLS_ENTRY(name, word) [SPH2D_KERNEL_##name] = walls_##word,
 const sph2d__projection_passes SPH2D__OF_ISA(sph2d__projection_passes) = {
-    .apply_transpose = apply_transpose,
-    .remaining_motion = remaining_motion,
     .move = move,
     .press = press,
     .average = average,
-    .apply_fluid = apply_fluid,
-    .apply_walls = apply_walls,
     .predict_fluid = {SPH2D_KERNEL_MAP(FLUID_ENTRY)},
     .predict_walls = {SPH2D_KERNEL_MAP(WALLS_ENTRY)}};
