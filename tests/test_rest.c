@@ -135,8 +135,7 @@ START_TEST(a_tall_column_stands_under_its_weight)
     tank_empty(SPH2D_METHOD_CONSTRAINT, DX, 5 * DX, 1.1 * height, 1e-3);
     tank_add(0, 0, 5 * DX, height);
     tank_start();
-    const double sound = sqrt(2 * G * height / 0.01),
-                 end = 0.6 + 2 * 4 * height / sound;
+    const double sound = sqrt(2 * G * height / 0.01), end = 0.6 + 2 * 4 * height / sound;
     while (sph2d_sim_time(tank.sim) < end) {
         test_steps(tank.sim, 1);
         sph2d_view f = sph2d_sim_fluid(tank.sim);

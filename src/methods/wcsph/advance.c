@@ -157,12 +157,6 @@ static void swap(float **a, float **b)
     *b = c;
 }
 
-/** The shortest way across periodic sides, of which places are at most half a period beyond; 1e30 stays far. */
-static double shortest(double d, double length)
-{
-    return !(length > 0) ? d : d > length / 2 ? d - length : d < -length / 2 ? d + length : d;
-}
-
 /** Potential energy of a particle's part of the pairs that repel each other, and of what gravity lacks beside sides, where
  *  it is now [J/kg]. */
 static double stored_energy(const sph2d__system *s, size_t i)
@@ -175,8 +169,8 @@ static double stored_energy(const sph2d__system *s, size_t i)
     size_t k = at->begin + ((size_t)at->fluid + at->walls) * n->lanes + i % n->lanes;
     double sum = 0;
     for (uint32_t slot = 0; slot < z->close[i / n->lanes]; ++slot, k += n->lanes) {
-        const double dx = shortest(z->px[i] - z->px[n->index[k]], p->length_x);
-        const double dy = shortest(z->py[i] - z->py[n->index[k]], p->length_y);
+        const double dx = sph2d__shortest_way(z->px[i] - z->px[n->index[k]], p->length_x);
+        const double dy = sph2d__shortest_way(z->py[i] - z->py[n->index[k]], p->length_y);
         const double t = fmax(1 - sqrt(dx * dx + dy * dy) / near, 0);
         sum += t * t * t;
     }

@@ -107,11 +107,6 @@ static void expect_some(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-static void rest_some(sph2d__system *s, size_t first, size_t last)
-{
-    pass_of(s)->rest(s, first, last);
-}
-
 static void loosen_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
@@ -122,7 +117,7 @@ static void loosen_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
 static double loosen(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
-    sph2d__over_particles(s, s->fluid.count, rest_some);
+    sph2d__over_particles(s, s->fluid.count, pass_of(s)->rest);
     sph2d__over_particles(s, s->fluid.count, expect_some);
     sph2d__images_of_pressure(s);
     sph2d__close_find(s);
@@ -165,16 +160,6 @@ static void pay_slab(sph2d__system *s, const sph2d__slab *slab, const void *with
 
 /* ---- the matrix -------------------------------------------------------------------------------------------------- */
 
-static void transpose_some(sph2d__system *s, size_t first, size_t last)
-{
-    pass_of(s)->transpose(s, first, last);
-}
-
-static void diverge_some(sph2d__system *s, size_t first, size_t last)
-{
-    pass_of(s)->diverge(s, first, last);
-}
-
 static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
@@ -187,7 +172,7 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
 static void transpose(sph2d__system *s)
 {
     sph2d__images_of_pressure(s);
-    sph2d__over_particles(s, s->fluid.count, transpose_some);
+    sph2d__over_particles(s, s->fluid.count, pass_of(s)->transpose);
 }
 
 /** The product of the matrix with the direction, whose pressures are in `press`; returns their own product. */
@@ -285,7 +270,7 @@ static sph2d__slab_sum load(sph2d__system *s)
     if (s->rigid_count > 0)
         sph2d__frozen_bodies_feed(s);
     sph2d__images_of_velocity(s);
-    sph2d__over_particles(s, n, diverge_some);
+    sph2d__over_particles(s, n, pass_of(s)->diverge);
     return sph2d__over_fluid(s, load_slab, NULL);
 }
 

@@ -39,12 +39,6 @@ struct sph2d__close_row {
     double first, of_first;   /* what the solve starts from, and its product */
 };
 
-/** The shortest way across periodic sides, of which places are at most half a period beyond; 1e30 stays far. */
-static double shortest(double d, double length)
-{
-    return !(length > 0) ? d : d > length / 2 ? d - length : d < -length / 2 ? d + length : d;
-}
-
 static sph2d__close_row *rows_of(sph2d__frozen *z, size_t i)
 {
     return z->close_rows + z->first_close[i];
@@ -84,7 +78,8 @@ static sph2d__close_row row_of(const sph2d__system *s, size_t i, size_t j)
     const sph2d__frozen *z = s->frozen;
     const sph2d__period *p = &s->fluid_cells.period;
     const double near = SPH2D__CLOSE * s->spacing;
-    const double dx = shortest(z->px[i] - z->px[j], p->length_x), dy = shortest(z->py[i] - z->py[j], p->length_y);
+    const double dx = sph2d__shortest_way(z->px[i] - z->px[j], p->length_x),
+                 dy = sph2d__shortest_way(z->py[i] - z->py[j], p->length_y);
     const double r = sqrt(dx * dx + dy * dy);
     sph2d__close_row row = {.other = j};
     if (!(r > 0) || r > 2 * near)

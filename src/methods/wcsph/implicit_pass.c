@@ -2,7 +2,7 @@
 /** @file implicit_pass.c
  *  The sweeps of implicit.c over pairs that stand still. Compiled once for each instruction set, named by SPH2D__ISA. Every
  *  lane is a particle. */
-#include "methods/wcsph/wcsph_rate.h"
+#include "methods/wcsph/wcsph_force.h"
 
 /** a, by the start of the step. */
 SPH2D__INLINE void find_acts(sph2d__system *s, size_t i)
@@ -47,10 +47,8 @@ SPH2D__INLINE void brake_particles(sph2d__system *s, size_t i, size_t last, cons
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *t = &s->fluid;
-    const double dt = z->dt, m = s->mass, strength = m * s->sound_speed, hv = smoothing(s, 1);
-    const vectors v = load(t->vx, t->vy, i), n = load(z->nx, z->ny, i), wall = load(z->sx, z->sy, i);
-    const vectors own = own_rest(z, i, sph2d__lanes_load(z->weight + i), n);
-    const vectors d = {strength * (f->dx + hv * (f->rx - own.x)), strength * (f->dy + hv * (f->ry - own.y))};
+    const double dt = z->dt, m = s->mass;
+    const vectors v = load(t->vx, t->vy, i), wall = load(z->sx, z->sy, i), d = dissipate(s, i, f, smoothing(s, 1));
     vectors a = {d.x / m, d.y / m};
     sph2d__lanes brake = {0};
     if (s->neighbours.slices[i / SPH2D__LANES].walls > 0) {
@@ -144,18 +142,6 @@ static void loosen(sph2d__system *s, size_t first, size_t last, sph2d__slab_sum 
 
 /* ---- the solve --------------------------------------------------------------------------------------------------- */
 
-/** z of a motion, without what walls add. */
-SPH2D__INLINE sph2d__four motion_of(const sph2d__frozen *z, size_t i, vectors v, bool walls)
-{
-    const sph2d__lanes none = {0};
-    sph2d__four seen = {v.x, v.y, none, none};
-    if (walls) {
-        seen.c = dot(load(z->cxx, z->cyx, i), v);
-        seen.d = dot(load(z->cxy, z->cyy, i), v);
-    }
-    return seen;
-}
-
 SPH2D__INLINE void transpose_slice(sph2d__system *s, size_t i, bool walled)
 {
     sph2d__frozen *z = s->frozen;
@@ -192,7 +178,7 @@ SPH2D__INLINE void transpose_slice(sph2d__system *s, size_t i, bool walled)
         x *= free;
         y *= free;
     }
-    sph2d__four_store(z->velocity + 4 * i, motion_of(z, i, (vectors){x, y}, at->walls > 0));
+    sph2d__four_store(z->velocity + 4 * i, seen_motion(z, i, (vectors){x, y}, at->walls > 0));
 }
 
 static void transpose(sph2d__system *s, size_t first, size_t last)
@@ -210,8 +196,7 @@ SPH2D__INLINE sph2d__lanes rate_of(const sph2d__system *s, size_t i)
     const sph2d__frozen *z = s->frozen;
     const rate_sums r = sum_rates(s, i, false);
     const sph2d__four own = sph2d__four_load(z->velocity + 4 * i);
-    sph2d__lanes rate = sph2d__lanes_load(z->bxx + i) * r.xx + sph2d__lanes_load(z->bxy + i) * (r.xy + r.yx) +
-                        sph2d__lanes_load(z->byy + i) * r.yy + r.z;
+    sph2d__lanes rate = liquid_rate(z, i, &r);
     if (s->neighbours.slices[i / SPH2D__LANES].walls > 0)
         rate += 2 * sph2d__lanes_load(z->acts + i) * dot((vectors){own.a, own.b}, load(z->sx, z->sy, i)) +
                 own.c * sph2d__lanes_load(z->nx + i) + own.d * sph2d__lanes_load(z->ny + i);

@@ -61,11 +61,6 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
     pass_of(s)->multiply(s, slab->first, slab->last, sum);
 }
 
-static void finish_some(sph2d__system *s, size_t first, size_t last)
-{
-    pass_of(s)->finish(s, first, last);
-}
-
 /** A step along the direction; sums up the square of what is left over the diagonal. */
 static void go_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
@@ -117,5 +112,5 @@ void sph2d__thick_solve(sph2d__system *s)
     }
     sph2d__over_particles(s, n, see_found);
     sph2d__images_of_velocity(s);
-    sph2d__over_particles(s, n, finish_some);
+    sph2d__over_particles(s, n, pass_of(s)->finish);
 }

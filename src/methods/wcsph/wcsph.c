@@ -200,13 +200,12 @@ static double implicit_step(const sph2d__system *s, double speed, double acceler
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |     \
                SPH2D__BIT(excess) | SPH2D__BIT(stored) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |                     \
                SPH2D__BIT(stretch) | SPH2D__BIT(shear), /* a resumed run knows its largest viscosity by them */        \
-    .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |      \
-             SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) | SPH2D__BIT(density) | \
-             SPH2D__BIT(pressure) | SPH2D__BIT(depth) | SPH2D__BIT(skin) | SPH2D__BIT(drag),                           \
+        .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |  \
+                 SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) |                   \
+                 SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(depth) | SPH2D__BIT(skin) | SPH2D__BIT(drag), \
     .prepare = prepare, .set_sides = sph2d__wcsph_set_sides, .evaluate = evaluate, .elastic = elastic,                 \
-    .take_density = take_density,                                                                                      \
-    .walls_placed = walls_placed, .wall_force = wall_force, .side_push = side_push, .books_all = true,                 \
-    .mean_forces = true, .couples_bodies = true
+    .take_density = take_density, .walls_placed = walls_placed, .wall_force = wall_force, .side_push = side_push,      \
+    .books_all = true, .mean_forces = true, .couples_bodies = true
 
 const sph2d__method sph2d__wcsph = {.name = "wcsph", .step = sph2d__wcsph_step, OPERATORS, .stable_step = stable_step};
 const sph2d__method sph2d__constraint = {

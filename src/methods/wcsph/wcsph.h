@@ -185,6 +185,12 @@ static inline double sph2d__density_ratio(double theta)
     X(linear_w) X(linear_theta)      /* what is linear of w [m/s], and of theta_ij */
 /* clang-format on */
 
+/** The shortest way across periodic sides, of which places are at most half a period beyond; 1e30 stays far. */
+static inline double sph2d__shortest_way(double d, double length)
+{
+    return !(length > 0) ? d : d > length / 2 ? d - length : d < -length / 2 ? d + length : d;
+}
+
 /** By how much more energy a particle at (x, y) has than gravity's: beside sides g_i is less [J/kg]. */
 double sph2d__side_energy(const sph2d__system *s, double x, double y);
 
@@ -252,7 +258,8 @@ typedef struct sph2d__frozen {
     sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
     sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
     size_t row_count, row_capacity;
-    sph2d__close_row *close_rows; /**< of close pairs in an implicit step, by particles, and where those of each begin */
+    sph2d__close_row
+        *close_rows; /**< of close pairs in an implicit step, by particles, and where those of each begin */
     size_t *first_close, close_capacity;
     double left[SPH2D__FREE_PARTS + 1];    /**< s, by equal steps of K/Sigma from 0 on */
     double beyond[SPH2D__PLANE_PARTS + 1]; /**< the kernel's part beyond a plane, by the distance from it */

@@ -259,8 +259,9 @@ void sph2d__frozen_bodies_pull(sph2d__system *s, double part)
         const double ex = z->axx[i] * x + z->axy[i] * y, ey = z->axy[i] * x + z->ayy[i] * y;
         double force[3];
         for (int d = 0; d < 3; ++d)
-            force[d] = part * s->mass *
-                       (p * row->press[d] - ex * row->pull[d][0] - ey * row->pull[d][1] - z->stopped[i] * row->repel[d]);
+            force[d] =
+                part * s->mass *
+                (p * row->press[d] - ex * row->pull[d][0] - ey * row->pull[d][1] - z->stopped[i] * row->repel[d]);
         sph2d__frozen_body *b = &z->bodies[row->body];
         b->trial = sph2d__twist_add(
             b->trial, 1, sph2d__rigid_accelerate(&s->rigids[row->body], (sph2d__twist){force[0], force[1], force[2]}));

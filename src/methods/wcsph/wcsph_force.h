@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file wcsph_force.h
- *  The forces of wcsph.h that do not depend on how time goes on. Every lane is a particle. */
+ *  The forces and rates of wcsph.h that do not depend on how time goes on. Every lane is a particle. */
 #ifndef SPH2D_METHODS_WCSPH_WCSPH_FORCE_H
 #define SPH2D_METHODS_WCSPH_WCSPH_FORCE_H
 
@@ -311,6 +311,27 @@ SPH2D__INLINE vectors own_rest(const sph2d__frozen *z, size_t i, sph2d__lanes we
     return (vectors){rest.a * part, rest.b * part};
 }
 
+/** The forces d and e. */
+SPH2D__INLINE vectors dissipate(const sph2d__system *s, size_t i, const force_sums *f, double hv)
+{
+    const sph2d__frozen *z = s->frozen;
+    const double strength = s->mass * s->sound_speed; /* V0 rho0 c0 */
+    const vectors own = own_rest(z, i, sph2d__lanes_load(z->weight + i), load(z->nx, z->ny, i));
+    return (vectors){strength * (f->dx + hv * (f->rx - own.x)), strength * (f->dy + hv * (f->ry - own.y))};
+}
+
+/** A motion as neighbours see it, but for the part of z that walls' own motion adds. */
+SPH2D__INLINE sph2d__four seen_motion(const sph2d__frozen *z, size_t i, vectors v, bool walls)
+{
+    const sph2d__lanes none = {0};
+    sph2d__four seen = {v.x, v.y, none, none};
+    if (walls) {
+        seen.c = dot(load(z->cxx, z->cyx, i), v);
+        seen.d = dot(load(z->cxy, z->cyy, i), v);
+    }
+    return seen;
+}
+
 /** Adds an acceleration by sides to its mean over the step. */
 SPH2D__INLINE void add_push(sph2d__frozen *z, size_t i, sph2d__lanes ax, sph2d__lanes ay)
 {
@@ -342,6 +363,60 @@ SPH2D__INLINE void push_by_sides(const sph2d__system *s, size_t i, const force_s
     const sph2d__lanes py = strength * (f->dy - without->dy + hv * (f->ry - without->ry - own.y)) +
                             thick * (f->vy - without->vy) - (f->py - without->py) - (q.b * n.x + q.c * n.y);
     add_push(z, i, px / m, py / m);
+}
+
+/* ---- rates ------------------------------------------------------------------------------------------------------- */
+
+/** Sums of a rate of density: (v_i - v_j) G^T, and z_k . G_ik; and (v_i - v_j) |G|. */
+typedef struct rate_sums {
+    sph2d__lanes xx, xy, yx, yy, z, x, y;
+} rate_sums;
+
+SPH2D__INLINE rate_sums sum_rates(const sph2d__system *s, size_t first, bool rest)
+{
+    const sph2d__neighbours *n = &s->neighbours;
+    const sph2d__frozen *z = s->frozen;
+    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    const sph2d__four own = sph2d__four_load(z->velocity + 4 * first);
+    const bool beside = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_BESIDE;
+    rate_sums sum = {0};
+    for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
+        const uint32_t *j = n->index + k;
+        const sph2d__four v = sph2d__four_gather(z->velocity, j);
+        const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k);
+        const sph2d__lanes vx = own.a - v.a, vy = own.b - v.b;
+        sum.xx += vx * gx;
+        sum.xy += vx * gy;
+        sum.yx += vy * gx;
+        sum.yy += vy * gy;
+        if (rest) {
+            const sph2d__lanes size = (gx * gx + gy * gy) * sph2d__floats_load(z->inverse + k);
+            sum.x += vx * size;
+            sum.y += vy * size;
+        }
+        if (beside)
+            sum.z += v.c * gx + v.d * gy;
+    }
+    return sum;
+}
+
+/** D by these sums, but for walls and what is theirs. */
+SPH2D__INLINE sph2d__lanes liquid_rate(const sph2d__frozen *z, size_t i, const rate_sums *r)
+{
+    return sph2d__lanes_load(z->bxx + i) * r->xx + sph2d__lanes_load(z->bxy + i) * (r->xy + r->yx) +
+           sph2d__lanes_load(z->byy + i) * r->yy + r->z;
+}
+
+/** r, over sum |G|, and A s. */
+SPH2D__INLINE void keep_rest(sph2d__system *s, size_t i, const rate_sums *r)
+{
+    sph2d__frozen *z = s->frozen;
+    const sph2d__lanes smooth = sph2d__lanes_load(z->smooth + i), weight = sph2d__lanes_load(z->weight + i);
+    const vectors k = load(z->kx, z->ky, i);
+    const sph2d__lanes part = smooth * sph2d__lanes_where(weight, (sph2d__lanes){0}, 1 / weight);
+    const sph2d__lanes rx = part * r->x + smooth * (r->xx * k.x + r->xy * k.y);
+    const sph2d__lanes ry = part * r->y + smooth * (r->yx * k.x + r->yy * k.y);
+    sph2d__four_store(z->rest + 4 * i, (sph2d__four){part * rx, part * ry, weight * k.x, weight * k.y});
 }
 
 #endif

@@ -2,7 +2,7 @@
 /** @file wcsph_pass.c
  *  The sweeps of an acoustic step over pairs that stand still. Compiled once for each instruction set, named by
  *  SPH2D__ISA. Every lane is a particle. */
-#include "methods/wcsph/wcsph_rate.h"
+#include "methods/wcsph/wcsph_force.h"
 
 /** Velocities by the forces of an acoustic step. */
 SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sums *f, const force_sums *without,
@@ -10,13 +10,11 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *t = &s->fluid;
-    const double dt = z->dt, m = s->mass, strength = m * s->sound_speed; /* V0 rho0 c0 */
+    const double dt = z->dt, m = s->mass;
+    /* P B as rounded as neighbours see it, so that forces of pairs are opposite. */
     const sph2d__four q = sph2d__four_load(z->press + 4 * i);
     const vectors n = load(z->nx, z->ny, i), v = load(t->vx, t->vy, i);
-    /* P B as rounded as neighbours see it, so that forces of pairs are opposite. */
-    const double hv = smoothing(s, once);
-    const vectors own = own_rest(z, i, sph2d__lanes_load(z->weight + i), n);
-    const vectors d = {strength * (f->dx + hv * (f->rx - own.x)), strength * (f->dy + hv * (f->ry - own.y))};
+    const vectors d = dissipate(s, i, f, smoothing(s, once));
     const double thick = viscosity(s, once);
     vectors drag = {thick * f->vx, thick * f->vy};
     vectors force = {d.x + drag.x - f->px - (q.a * n.x + q.b * n.y), d.y + drag.y - f->py - (q.b * n.x + q.c * n.y)};
@@ -67,11 +65,10 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     sph2d__lanes_store(t->ay + i, a.y);
     sph2d__lanes_store(t->vx + i, next.x);
     sph2d__lanes_store(t->vy + i, next.y);
-    const sph2d__lanes none = {0};
-    sph2d__four seen = {next.x, next.y, none, none};
+    sph2d__four seen = seen_motion(z, i, next, walls);
     if (walls) {
-        seen.c = dot(load(z->cxx, z->cyx, i), next) + sph2d__lanes_load(z->wall_zx + i);
-        seen.d = dot(load(z->cxy, z->cyy, i), next) + sph2d__lanes_load(z->wall_zy + i);
+        seen.c += sph2d__lanes_load(z->wall_zx + i);
+        seen.d += sph2d__lanes_load(z->wall_zy + i);
     }
     sph2d__four_store(z->next_velocity + 4 * i, seen);
 }
@@ -130,7 +127,7 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + i), bxy = sph2d__lanes_load(z->bxy + i),
                        byy = sph2d__lanes_load(z->byy + i);
     const vectors v = load(t->vx, t->vy, i), at = load(z->px, z->py, i);
-    const sph2d__lanes liquid = bxx * r->xx + bxy * (r->xy + r->yx) + byy * r->yy + r->z;
+    const sph2d__lanes liquid = liquid_rate(z, i, r);
     wall_rates d = {liquid, liquid};
     if (s->neighbours.slices[i / SPH2D__LANES].walls > 0)
         d = add_wall_rate(s, i, v, time.before, liquid);
