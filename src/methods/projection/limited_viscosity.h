@@ -14,7 +14,7 @@
  *  spacings resolve hardly.
  *
  *  What it is for: D D' hardly sees motions that change sign from neighbour to neighbour (projection.h), and density
- *  that is kept over disorder goes on exciting them. By method `constraint` a tank at rest, 40 particles deep, trembles
+ *  that is kept over disorder goes on exciting them. By density constraints (Bodin et al. 2011) a tank at rest, 40 particles deep, trembles
  *  by 0.0121 sqrt(gH) (rms) without, by 0.0022 to 0.0032 with alpha = 0.1; a drop under a central force keeps 0.76 and
  *  0.73 of its energy over ten periods. */
 #ifndef SPH2D_METHODS_PROJECTION_LIMITED_VISCOSITY_H
