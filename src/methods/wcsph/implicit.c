@@ -13,9 +13,10 @@
  *  where theta_0 has half of what relaxation adds over the step; the other half comes after. So that is a source, whose cost
  *  is m c0^2 theta_m times it, whatever c0. What of it the step's dissipation does not pay for is taken back, and solved for
  *  once more from there. theta_m follows from p, not from D. What is left of the equations is then the only energy that is
- *  not accounted for, 2 m p . left. It is none at any tolerance: conjugate gradients (Hestenes & Stiefel 1952) start from a multiple of
- *  c0^2 theta_0 and keep it out of all later directions (deflation: Saad, Yeung, Erhel & Guyomarc'h 2000, SIAM J. Sci.
- *  Comput. 21, 1909-1926), so that what is left is orthogonal to all that p is made of.
+ *  not accounted for, 2 m p . left. With that of close pairs, which is their friction, it is none at any tolerance:
+ *  conjugate gradients (Hestenes & Stiefel 1952) start from a multiple of c0^2 theta_0 and keep it out of all later
+ *  directions (deflation: Saad, Yeung, Erhel & Guyomarc'h 2000, SIAM J. Sci. Comput. 21, 1909-1926), so that what is left is
+ *  orthogonal to all that p is made of.
  *
  *  A body's velocity is one of the unknowns, as a particle's is: with G_b its rows of D (wcsph_bodies.c), M_b its mass,
  *  w^2 G_b M_b^-1 G_b^T is added to the matrix. So light ones are as stable as heavy ones. Particles in reservoirs have
@@ -23,7 +24,8 @@
  *  prescribes a velocity, p follows from the liquid before them: given from step to step it would answer a step later.
  *
  *  Where the liquid is thick (thick.c), w is dt: pressure is that at the end of the step, as friction is. Both act on the
- *  same motion, and what friction stops at the end the middle would send back. Viscosity has the energy anyway.
+ *  same motion, and what friction stops at the end the middle would send back. Viscosity has the energy anyway. Both are
+ *  solved for twice, by turns: friction by a pressure of the last step gives energy.
  *
  *  Dissipation is explicit, by velocities at the start, before the solve: what it takes is known, whatever pressure is
  *  about to do. b, C and e are bounded by what a step of this length bears. Close pairs, and what walls stop, are in the
@@ -229,23 +231,25 @@ static void start_motion(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-/** The right side, with D of that motion in `product`, and where the solve starts. Sums up their squares and product. */
+/** The right side, with D of that motion in `product`, and where the solve starts: `with` something, in `direction`. Sums up
+ *  their squares and product. */
 static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     sph2d__frozen *z = s->frozen;
     const double w = z->ahead, c2 = s->sound_speed * s->sound_speed;
     const double stiff = c2 + DAMPING * s->sound_speed * s->support / w;
-    (void)with;
+    const bool again = with != NULL;
     for (size_t i = slab->first; i < slab->last; ++i) {
-        const double theta = s->fluid.excess[i] + z->diffused[i] + w / z->dt * z->summed[i], p = known(s, i);
         const bool held = z->holds && z->known[i] > 0;
+        const double theta = s->fluid.excess[i] + (again ? 0 : z->diffused[i] + w / z->dt * z->summed[i]),
+                     p = known(s, i);
         s->fluid.excess[i] = theta;
         z->soft[i] = 1 / (held ? c2 : stiff);
         z->solved[i] = held ? p : 0;
         z->left_over[i] = w * (z->product[i] - z->acts[i] * z->wall_rate[i]) + (held ? 0 : c2 / stiff * theta);
-        z->first[i] = z->direction[i] = held ? 0 : c2 * theta;
+        z->first[i] = z->direction[i] = held ? 0 : again ? z->direction[i] : c2 * theta;
         press(z, i, z->direction[i]);
-        sph2d__close_load(s, i, sum);
+        sph2d__close_load(s, i, again, sum);
         if (held)
             continue;
         sum->first += z->left_over[i] * z->left_over[i];
@@ -254,7 +258,7 @@ static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
     }
 }
 
-static sph2d__slab_sum load(sph2d__system *s)
+static sph2d__slab_sum load(sph2d__system *s, bool again)
 {
     sph2d__frozen *z = s->frozen;
     const size_t n = s->fluid.count;
@@ -271,7 +275,7 @@ static sph2d__slab_sum load(sph2d__system *s)
         sph2d__frozen_bodies_feed(s);
     sph2d__images_of_velocity(s);
     sph2d__over_particles(s, n, pass_of(s)->diverge);
-    return sph2d__over_fluid(s, load_slab, NULL);
+    return sph2d__over_fluid(s, load_slab, again ? &again : NULL);
 }
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
@@ -408,6 +412,31 @@ static void pay(sph2d__system *s, double paid)
     solve(s, sph2d__over_fluid(s, load_again_slab, &part));
 }
 
+/* ---- where the liquid is thick ----------------------------------------------------------------------------------- */
+
+/** The accelerations by all but friction with the pressures that were found, which the next solve starts from. */
+static void expect_pressed(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t i = first; i < last; ++i) {
+        z->rubbed_x[i] = s->fluid.ax[i] - z->pull_back_x[i];
+        z->rubbed_y[i] = s->fluid.ay[i] - z->pull_back_y[i];
+        z->pushed_x[i] = z->pushed_y[i] = z->stopped[i] = 0;
+    }
+}
+
+/** Friction and pressure twice, by turns. */
+static void solve_thick(sph2d__system *s)
+{
+    sph2d__thick_solve(s, false);
+    solve(s, load(s, false));
+    sph2d__over_particles(s, s->fluid.count, press_again);
+    transpose(s);
+    sph2d__over_particles(s, s->fluid.count, expect_pressed);
+    sph2d__thick_solve(s, true);
+    solve(s, load(s, true));
+}
+
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
 static void press_solved(sph2d__system *s, size_t first, size_t last)
@@ -421,7 +450,11 @@ static void press_solved(sph2d__system *s, size_t first, size_t last)
 static void finish_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
+    double left = 0;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        left += sph2d__close_left(s, i);
     pass_of(s)->finish(s, slab->first, slab->last, sum);
+    sum->first += s->mass * s->frozen->dt / s->frozen->ahead * left;
 }
 
 /** Velocities and densities by the pressures that were found. */
@@ -457,10 +490,11 @@ void sph2d__implicit_sound(sph2d_sim *sim, double dt)
     sim->record.energy_fed += sph2d__frozen_store(s);
     const double paid = loosen(sim);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);
-    if (s->frozen->thick)
-        sph2d__thick_solve(s);
     s->iterations = 0;
-    solve(s, load(s));
+    if (s->frozen->thick)
+        solve_thick(s);
+    else
+        solve(s, load(s, false));
     pay(s, paid);
     finish(sim);
     sim->record.energy_pressed -= sph2d__frozen_store(s); /* is not dissipated */

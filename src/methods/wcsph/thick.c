@@ -5,10 +5,21 @@
  *
  *      (1 + dt V) v* = v_0 + dt (a + k),   a_v = k - V v*
  *
- *  a is the acceleration of the last step by all else: with pressure, without which liquid that it holds would seem to fall
- *  for a step, and a steady flow would depend on the step's length. a_v then acts with the pressure of this one. After
- *  Weiler, Koschier, Brand & Bender 2018 (Computer Graphics Forum 37), by conjugate gradients with the matrix's diagonal as
- *  preconditioner. It is summed over pairs from v*, opposite in both particles of one, whatever the tolerance. */
+ *  a is the acceleration by all else: with pressure, without which liquid that it holds would seem to fall for a step, and a
+ *  steady flow would depend on the step's length. a_v then acts with other pressures, and with an acceleration a' by all else
+ *  v_1 = v* + dt (a' - a), so that v_1 - dt a' = v* - dt a and, with k = 0,
+ *
+ *      (v_1^2 - v_0^2)/2 = dt v_1 . a' - dt v* . V v* - (v* - v_0)^2/2 + dt^2 (a^2 - a'^2)/2
+ *
+ *  The first term is the work of pressure, which acts at the end of the step, and forces; V takes. The last is energy that
+ *  is borrowed. With a of the last step it was 2.8 % of a column that collapses, of 2 Pa s and with 13 neighbours, where a
+ *  particle's pressure is another in each step. So a is that of the last step in a first solve alone, and by
+ *  the pressures that follow from it in the second, which starts from the first; then the column gained 0.0002 %. A third
+ *  changes no more.
+ *
+ *  After Weiler, Koschier, Brand & Bender 2018 (Computer Graphics Forum 37), by conjugate gradients with the matrix's
+ *  diagonal as preconditioner. a_v is summed over pairs from v*, opposite in both particles of one, whatever the
+ *  tolerance. */
 #include <math.h>
 #include <string.h>
 
@@ -31,10 +42,11 @@ static void see(sph2d__frozen *z, size_t i, double x, double y)
     memcpy(z->velocity + 4 * i, row, sizeof row);
 }
 
-static void see_start(sph2d__system *s, size_t first, size_t last)
+/** Where the first solve starts. */
+static void start(sph2d__system *s, size_t first, size_t last)
 {
-    for (size_t i = first; i < last; ++i)
-        see(s->frozen, i, s->fluid.vx[i], s->fluid.vy[i]);
+    memcpy(s->frozen->thick_x + first, s->fluid.vx + first, (last - first) * sizeof *s->fluid.vx);
+    memcpy(s->frozen->thick_y + first, s->fluid.vy + first, (last - first) * sizeof *s->fluid.vy);
 }
 
 static void see_way(sph2d__system *s, size_t first, size_t last)
@@ -90,10 +102,12 @@ static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
     see_way(s, slab->first, slab->last);
 }
 
-void sph2d__thick_solve(sph2d__system *s)
+void sph2d__thick_solve(sph2d__system *s, bool again)
 {
     const size_t n = s->fluid.count;
-    sph2d__over_particles(s, n, see_start);
+    if (!again)
+        sph2d__over_particles(s, n, start);
+    sph2d__over_particles(s, n, see_found);
     sph2d__images_of_velocity(s);
     const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL);
     const double wanted = TOLERANCE * TOLERANCE * sum.second +
@@ -113,4 +127,6 @@ void sph2d__thick_solve(sph2d__system *s)
     sph2d__over_particles(s, n, see_found);
     sph2d__images_of_velocity(s);
     sph2d__over_particles(s, n, pass_of(s)->finish);
+    if (again)
+        sph2d__over_particles(s, n, pass_of(s)->push_sides);
 }

@@ -104,10 +104,10 @@ static void load_span(sph2d__system *s, size_t first, size_t last, sph2d__slab_s
             diagonal.y += dt * sph2d__lanes_load(z->stick_yy + i);
         }
         push(s, i, &a);
-        const vectors before = load(z->rubbed_x, z->rubbed_y, i), v = load(s->fluid.vx, s->fluid.vy, i);
-        const vectors rest = {part * dt * (a.x + before.x), part * dt * (a.y + before.y)};
-        sph2d__lanes_store(z->thick_x + i, v.x);
-        sph2d__lanes_store(z->thick_y + i, v.y);
+        const vectors before = load(z->rubbed_x, z->rubbed_y, i), v = load(s->fluid.vx, s->fluid.vy, i),
+                      from = load(z->thick_x, z->thick_y, i);
+        const vectors rest = {part * (v.x - from.x + dt * (a.x + before.x)),
+                              part * (v.y - from.y + dt * (a.y + before.y))};
         sph2d__lanes_store(z->rest_x + i, rest.x);
         sph2d__lanes_store(z->rest_y + i, rest.y);
         sph2d__lanes_store(z->way_x + i, rest.x / diagonal.x);
@@ -146,11 +146,20 @@ static void finish(sph2d__system *s, size_t first, size_t last)
         sph2d__lanes_store(z->rubbed_y + i, a.y);
         sph2d__lanes_store(z->mean_vx + i, own.a);
         sph2d__lanes_store(z->mean_vy + i, own.b);
-        if (z->imaged[i / SPH2D__LANES] > 0) {
-            sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + strength(s) * f.images.x);
-            sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + strength(s) * f.images.y);
-        }
     }
 }
 
-const sph2d__thick_pass SPH2D__OF_ISA(sph2d__thick_pass) = {.load = load_span, .multiply = multiply, .finish = finish};
+/** Once for both solves. */
+static void push_sides(sph2d__system *s, size_t first, size_t last)
+{
+    sph2d__frozen *z = s->frozen;
+    for (size_t i = first; i < last; i += SPH2D__LANES)
+        if (z->imaged[i / SPH2D__LANES] > 0) {
+            const drags f = sum_drags(s, i, false);
+            sph2d__lanes_store(z->push_x + i, sph2d__lanes_load(z->push_x + i) + strength(s) * f.images.x);
+            sph2d__lanes_store(z->push_y + i, sph2d__lanes_load(z->push_y + i) + strength(s) * f.images.y);
+        }
+}
+
+const sph2d__thick_pass SPH2D__OF_ISA(sph2d__thick_pass) = {
+    .load = load_span, .multiply = multiply, .finish = finish, .push_sides = push_sides};

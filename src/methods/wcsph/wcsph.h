@@ -320,13 +320,15 @@ typedef struct sph2d__implicit_pass {
 
 /** The sweeps of the implicit solve for viscosity (thick.c). */
 typedef struct sph2d__thick_pass {
-    /** What is left of the equations by velocities at the start, which are in `velocity`, and the matrix's diagonal. Sums up the square of the
+    /** What is left of the equations by velocities to start from, which are in `velocity`, and the matrix's diagonal. Sums up the square of the
      *  former over the latter, and of the right side. */
     void (*load)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
     /** The product of the matrix with what is in `velocity`, the direction; the first sum is their own product. */
     void (*multiply)(sph2d__system *system, size_t first, size_t last, sph2d__slab_sum *sum);
     /** Accelerations by the velocities that were found, which are in `velocity`. */
     sph2d__span_work *finish;
+    /** Adds what images do to the mean force of sides. */
+    sph2d__span_work *push_sides;
 } sph2d__thick_pass;
 
 SPH2D__COPIES(sph2d__wcsph_gather_pass, sph2d__wcsph_gather)
@@ -431,7 +433,8 @@ void sph2d__implicit_sound(sph2d_sim *sim, double dt);
  *  they are expected; those of particle i in the solve. */
 bool sph2d__close_reserve(sph2d__system *system);
 void sph2d__close_find(sph2d__system *system);
-void sph2d__close_load(sph2d__system *system, size_t i, sph2d__slab_sum *sum);
+/** `again`: starts from the direction. */
+void sph2d__close_load(sph2d__system *system, size_t i, bool again, sph2d__slab_sum *sum);
 double sph2d__close_multiply(sph2d__system *system, size_t i);
 void sph2d__close_go(sph2d__system *system, size_t i, double length, sph2d__slab_sum *sum);
 void sph2d__close_turn(sph2d__system *system, size_t i, double keep, double first);
@@ -441,9 +444,12 @@ void sph2d__close_load_again(sph2d__system *system, size_t i, sph2d__slab_sum *s
 void sph2d__close_push(sph2d__system *system, size_t i, bool last);
 /** Whether some of what was found draws particles: then the rest is solved for once more. */
 bool sph2d__close_pull(const sph2d__system *system);
+/** What is left of its rows' equations by what was found: energy over m dt/w. */
+double sph2d__close_left(const sph2d__system *system, size_t i);
 void sph2d__close_free(sph2d__system *system);
-/** Accelerations by viscosity and walls without slip, where the liquid is thick (thick.c). */
-void sph2d__thick_solve(sph2d__system *system);
+/** Accelerations by viscosity and walls without slip, where the liquid is thick (thick.c), with those by all else in
+ *  `rubbed`; `again`, from what was found, for the last time. */
+void sph2d__thick_solve(sph2d__system *system, bool again);
 /** The longest step that it takes, whatever the speed, with the pressures now [s]. */
 double sph2d__implicit_step(const sph2d__system *system);
 
