@@ -142,7 +142,7 @@ static void relax_some(sph2d__system *s, size_t first, size_t last)
         z->summed[i] *= part / sph2d__density_ratio(s->fluid.excess[i]);
 }
 
-/** Sums up what it costs by the pressures that were found, and what else is dissipated with it [J/m]. */
+/** Sums up what it costs by the pressures that were found, what damping takes with them, and friction [J/m]. */
 static void pay_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const sph2d__frozen *z = s->frozen;
@@ -155,8 +155,8 @@ static void pay_slab(sph2d__system *s, const sph2d__slab *slab, const void *with
         const double squeezed = (then - f->excess[i]) / part, before = f->excess[i] - part * relaxed;
         const double cost = m * c2 * relaxed * then, change = squeezed + relaxed;
         sum->first += cost;
-        sum->second += cost + m * (p * squeezed - c2 * change * (before + change / 2)) -
-                       m * dt * (x * (f->vx[i] + dt / 2 * x) + y * (f->vy[i] + dt / 2 * y));
+        sum->second += cost + m * (p * squeezed - c2 * change * (before + change / 2));
+        sum->third -= m * dt * (x * (f->vx[i] + dt / 2 * x) + y * (f->vy[i] + dt / 2 * y));
     }
 }
 
@@ -398,15 +398,19 @@ static void press_again(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-/** Takes back what of relaxation is not paid for, with p >= 0 from it, its cost falls by more than its part; and what would
- *  draw particles together or to walls. */
+/** Takes back what of relaxation is not paid for, and what would draw particles together or to walls. Of a part of it the
+ *  cost is no more than that part, as p is the larger the more of it there is, and damping takes its square:
+ *
+ *      part cost = paid + part^2 damped */
 static void pay(sph2d__system *s, double paid)
 {
     const sph2d__slab_sum of = sph2d__over_fluid(s, pay_slab, NULL);
-    paid = fmax(paid + of.second, 0);
-    if ((of.first <= paid && !sph2d__close_pull(s)) || s->unconverged || s->iterations >= s->method.max_iterations)
+    const double cost = of.first, damped = fmax(of.second, 0);
+    paid = fmax(paid + of.third, 0);
+    const bool enough = cost <= paid + damped;
+    if ((enough && !sph2d__close_pull(s)) || s->unconverged || s->iterations >= s->method.max_iterations)
         return;
-    const double part = of.first <= paid ? 1 : paid / of.first;
+    const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
     sph2d__over_particles(s, s->fluid.count, press_again);
     multiply(s);
     solve(s, sph2d__over_fluid(s, load_again_slab, &part));
