@@ -27,6 +27,9 @@
  *  same motion, and what friction stops at the end the middle would send back. Viscosity has the energy anyway. Both are
  *  solved for twice, by turns: friction by a pressure of the last step gives energy.
  *
+ *  Walls act on films (wcsph.h) that come nearer at the start of the step, and on none that they would hold by p < 0: a is 0
+ *  for these in a second solve, which starts from the first, with what of relaxation is paid for.
+ *
  *  Dissipation is explicit, by velocities at the start, before the solve: what it takes is known, whatever pressure is
  *  about to do. b, C and e are bounded by what a step of this length bears. Close pairs, and what walls stop, are in the
  *  matrix (implicit_close.c).
@@ -364,37 +367,46 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
     s->unconverged = left > wanted;
 }
 
-/** The same with `part` of the relaxation: takes the rest of it from the right side, of which A p and what is left are
- *  there, and starts from p. */
-static void load_again_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    const double *part = with, c2 = s->sound_speed * s->sound_speed;
-    sph2d__frozen *z = s->frozen;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const bool held = z->holds && z->known[i] > 0;
-        const double less = (1 - *part) * z->ahead / z->dt * z->summed[i];
-        s->fluid.excess[i] -= less;
-        z->summed[i] *= *part;
-        z->left_over[i] += z->product[i] - (held ? 0 : c2 * z->soft[i] * less);
-        z->first[i] = z->direction[i];
-        press(z, i, z->direction[i]);
-        sph2d__close_load_again(s, i, sum);
-        if (held)
-            continue;
-        z->solved[i] = 0;
-        sum->first += z->left_over[i] * z->left_over[i];
-        sum->second += z->first[i] * z->left_over[i];
-        sum->third += z->first[i] * z->first[i];
-    }
-}
+/* ---- once more --------------------------------------------------------------------------------------------------- */
 
-static void press_again(sph2d__system *s, size_t first, size_t last)
+/** Makes the next solve start from what was found. */
+static void keep_found(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
     for (size_t i = first; i < last; ++i) {
-        z->direction[i] = z->holds && z->known[i] > 0 ? 0 : z->solved[i];
-        press(z, i, z->direction[i]);
+        z->direction[i] = z->solved[i];
         sph2d__close_push(s, i, false);
+        z->pushed_x[i] = z->pushed_y[i] = z->stopped[i] = 0;
+    }
+}
+
+/** Whether a wall holds a film by tension. */
+static bool clings(const sph2d__system *s, size_t i)
+{
+    const sph2d__frozen *z = s->frozen;
+    return s->neighbours.slices[i / s->neighbours.lanes].walls > 0 && !s->fills && !(z->walled[i] > 0) &&
+           z->acts[i] > 0 && z->solved[i] < 0;
+}
+
+static void count_clinging(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sum->first += clings(s, i);
+}
+
+/** Keeps a part of the relaxation, and nothing that draws. */
+static void take_back_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *part = with;
+    sph2d__frozen *z = s->frozen;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        s->fluid.excess[i] -= (1 - *part) * z->ahead / z->dt * z->summed[i];
+        z->summed[i] *= *part;
+        if (clings(s, i))
+            z->acts[i] = 0;
+        sph2d__close_drop(s, i);
     }
 }
 
@@ -407,16 +419,25 @@ static void pay(sph2d__system *s, double paid)
     const sph2d__slab_sum of = sph2d__over_fluid(s, pay_slab, NULL);
     const double cost = of.first, damped = fmax(of.second, 0);
     paid = fmax(paid + of.third, 0);
-    const bool enough = cost <= paid + damped;
-    if ((enough && !sph2d__close_pull(s)) || s->unconverged || s->iterations >= s->method.max_iterations)
+    const bool enough = cost <= paid + damped,
+               draws = sph2d__close_pull(s) || sph2d__over_fluid(s, count_clinging, NULL).first > 0;
+    if ((enough && !draws) || s->unconverged || s->iterations >= s->method.max_iterations)
         return;
     const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
-    sph2d__over_particles(s, s->fluid.count, press_again);
-    multiply(s);
-    solve(s, sph2d__over_fluid(s, load_again_slab, &part));
+    sph2d__over_fluid(s, take_back_slab, &part);
+    sph2d__over_particles(s, s->fluid.count, keep_found);
+    solve(s, load(s, true));
 }
 
 /* ---- where the liquid is thick ----------------------------------------------------------------------------------- */
+
+static void press_found(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i) {
+        press(s->frozen, i, s->frozen->solved[i]);
+        sph2d__close_push(s, i, false);
+    }
+}
 
 /** The accelerations by all but friction with the pressures that were found, which the next solve starts from. */
 static void expect_pressed(sph2d__system *s, size_t first, size_t last)
@@ -425,7 +446,6 @@ static void expect_pressed(sph2d__system *s, size_t first, size_t last)
     for (size_t i = first; i < last; ++i) {
         z->rubbed_x[i] = s->fluid.ax[i] - z->pull_back_x[i];
         z->rubbed_y[i] = s->fluid.ay[i] - z->pull_back_y[i];
-        z->pushed_x[i] = z->pushed_y[i] = z->stopped[i] = 0;
     }
 }
 
@@ -434,9 +454,10 @@ static void solve_thick(sph2d__system *s)
 {
     sph2d__thick_solve(s, false);
     solve(s, load(s, false));
-    sph2d__over_particles(s, s->fluid.count, press_again);
+    sph2d__over_particles(s, s->fluid.count, press_found);
     transpose(s);
     sph2d__over_particles(s, s->fluid.count, expect_pressed);
+    sph2d__over_particles(s, s->fluid.count, keep_found);
     sph2d__thick_solve(s, true);
     solve(s, load(s, true));
 }

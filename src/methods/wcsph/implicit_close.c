@@ -228,18 +228,11 @@ void sph2d__close_keep_first(sph2d__system *s, size_t i)
         row->of_first = row->product;
 }
 
-void sph2d__close_load_again(sph2d__system *s, size_t i, sph2d__slab_sum *sum)
+void sph2d__close_drop(sph2d__system *s, size_t i)
 {
-    sph2d__frozen *z = s->frozen;
-    for (sph2d__close_row *row = rows_of(z, i); row < rows_end(z, i); ++row) {
-        row->left += row->product;
+    for (sph2d__close_row *row = rows_of(s->frozen, i); row < rows_end(s->frozen, i); ++row)
         if (pulls(row))
-            row->x = row->y = row->scale = row->left = row->direction = 0;
-        row->first = row->direction;
-        row->solved = 0;
-        add_squares(row, sum);
-    }
-    push(z, i);
+            row->x = row->y = row->scale = row->theta = row->solved = 0;
 }
 
 void sph2d__close_push(sph2d__system *s, size_t i, bool last)

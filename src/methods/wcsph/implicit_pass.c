@@ -4,12 +4,13 @@
  *  lane is a particle. */
 #include "methods/wcsph/wcsph_force.h"
 
-/** a, by the density at the start of the step: it stands for the whole of it, so that a film that only comes nearer, and would
- *  be pressed by its middle, would also be drawn by what is left of the step. */
+/** a, by density and velocities at the start of the step. It stands for the whole of it: films that are drawn then are let go
+ *  (implicit.c). */
 SPH2D__INLINE void find_acts(sph2d__system *s, size_t i)
 {
-    const sph2d__lanes none = {0};
-    sph2d__lanes_store(s->frozen->acts + i, acts_at(s, i, sph2d__lanes_load(s->fluid.excess + i), none));
+    const vectors v = load(s->fluid.vx, s->fluid.vy, i), wall = load(s->frozen->sx, s->frozen->sy, i);
+    const sph2d__lanes by = 2 * dot(v, wall) - sph2d__lanes_load(s->frozen->wall_rate + i);
+    sph2d__lanes_store(s->frozen->acts + i, acts_at(s, i, sph2d__lanes_load(s->fluid.excess + i), by));
 }
 
 static void rest(sph2d__system *s, size_t first, size_t last)

@@ -439,11 +439,12 @@ double sph2d__close_multiply(sph2d__system *system, size_t i);
 void sph2d__close_go(sph2d__system *system, size_t i, double length, sph2d__slab_sum *sum);
 void sph2d__close_turn(sph2d__system *system, size_t i, double keep, double first);
 void sph2d__close_keep_first(sph2d__system *system, size_t i);
-void sph2d__close_load_again(sph2d__system *system, size_t i, sph2d__slab_sum *sum);
 /** What its pairs push it by with what was found, which `last` adds to the mean force of sides, too. */
 void sph2d__close_push(sph2d__system *system, size_t i, bool last);
 /** Whether some of what was found draws particles: then the rest is solved for once more. */
 bool sph2d__close_pull(const sph2d__system *system);
+/** Drops them, of particle i. */
+void sph2d__close_drop(sph2d__system *system, size_t i);
 /** What is left of its rows' equations by what was found: energy over m dt/w. */
 double sph2d__close_left(const sph2d__system *system, size_t i);
 void sph2d__close_free(sph2d__system *system);
