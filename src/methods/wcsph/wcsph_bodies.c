@@ -237,6 +237,21 @@ double sph2d__frozen_bodies_kick(sph2d__system *s, double done, double *friction
 
 /* ---- in an implicit step ----------------------------------------------------------------------------------------- */
 
+static double product_of(const sph2d__rigid *r, sph2d__twist a, sph2d__twist b)
+{
+    return r->mass * (a.x * b.x + a.y * b.y) + r->inertia * a.turn * b.turn;
+}
+
+/** The acceleration by which contacts are expected to hold a body: what they did for some steps, as far as it is against
+ *  the last one's by all else. They act once the liquid has, and where it is not told of them it sees a body that rests
+ *  on a floor sink by it in each step, and strikes it. */
+static sph2d__twist support_of(const sph2d__rigid *r)
+{
+    const sph2d__twist none = {0, 0, 0}, held = r->state->held_up;
+    const double all = product_of(r, held, held), against = -product_of(r, held, r->state->acceleration);
+    return all > 0 ? sph2d__twist_add(none, fmin(fmax(against / all, 0), 1), held) : none;
+}
+
 void sph2d__frozen_bodies_expect(sph2d__system *s, double half)
 {
     sph2d__frozen *z = s->frozen;
@@ -245,6 +260,7 @@ void sph2d__frozen_bodies_expect(sph2d__system *s, double half)
         sph2d__frozen_body *b = &z->bodies[k];
         const sph2d__twist force = sph2d__twist_add(sph2d__twist_add(b->mean, 1, b->rubbed), 1, s->rigids[k].other);
         b->trial = sph2d__twist_add((sph2d__twist){0, 0, 0}, half, sph2d__rigid_accelerate(&s->rigids[k], force));
+        b->trial = sph2d__twist_add(b->trial, z->dt, support_of(&s->rigids[k]));
     }
 }
 
@@ -294,16 +310,15 @@ double sph2d__frozen_bodies_late(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
     double work = 0;
-    if (z->ahead <= z->dt / 2)
-        return 0;
     for (size_t k = 0; k < s->rigid_count; ++k)
         z->bodies[k].trial = (sph2d__twist){0, 0, 0};
     memset(z->stopped, 0, s->fluid.count * sizeof *z->stopped);
     sph2d__frozen_bodies_pull(s, 1);
     for (size_t k = 0; k < s->rigid_count; ++k) {
         const sph2d__rigid *r = &s->rigids[k];
-        const sph2d__twist by = z->bodies[k].trial, late = z->bodies[k].change;
-        work += (z->dt / 2 - z->ahead) * (r->mass * (by.x * late.x + by.y * late.y) + r->inertia * by.turn * late.turn);
+        const sph2d__twist by = z->bodies[k].trial;
+        work += (z->dt / 2 - z->ahead) * product_of(r, by, z->bodies[k].change) -
+                z->dt * z->dt * product_of(r, by, support_of(r));
     }
     return work;
 }
