@@ -33,7 +33,8 @@ static const double HIDES = 1;
 
 static bool hides(const sph2d_scene *scene)
 {
-    return scene->method.name == SPH2D_METHOD_WCSPH && scene->method.operators == SPH2D_OPERATORS_VARIATIONAL;
+    return scene->method.name == SPH2D_METHOD_CONSTRAINT ||
+           (scene->method.name == SPH2D_METHOD_WCSPH && scene->method.operators == SPH2D_OPERATORS_VARIATIONAL);
 }
 
 /** Minimum distance between liquids on the two sides of an obstacle [m]. */
