@@ -93,6 +93,7 @@ typedef struct sph2d__system {
     double shift_gain;           /**< wcsph, fitted: shift velocity over U S (fitted.h); set for each step */
     double lattice_values;       /**< wcsph: sum of f(r/H)/f(dx/H) over a full lattice, including the particle itself */
     double lattice_slopes;       /**< wcsph: sum of g(r/H) over a full lattice, without the particle itself */
+    double lattice_stiffness;    /**< wcsph: what a pressure pushes back with, over p/(rho dx^2) (wcsph.c) */
     sph2d_method_options method; /**< the scene's, with all defaults filled in */
     /** Of all walls, if they have the same; else by id of a boundary particle, and not NULL. */
     sph2d_slip wall_slip;

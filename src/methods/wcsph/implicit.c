@@ -34,17 +34,13 @@
  *  about to do. b, C and e are bounded by what a step of this length bears. Close pairs, and what walls stop, are in the
  *  matrix (implicit_close.c).
  *
- *  The step is not bound by sound but by order, as geometry stands still in it. What is out of place by s under a pressure p
- *  is pushed back by some p s/(rho dx^2), which is explicit: up to dx/sqrt(p/rho) all is well, with the greatest p or that of
- *  the head; at 1.4 times that particles get between each other. */
+ *  The step is not bound by sound but by order, as geometry stands still in it (wcsph.c). */
 #include <math.h>
 #include <string.h>
 
 #include "methods/wcsph/wcsph.h"
 #include "sim/stages.h"
 
-/* The longest step over dx/sqrt(p/rho). */
-static const double LONGEST = 1;
 /* b c0 dt/dx at most: no row of d has a larger sum than 1.5 times this. */
 static const double BRAKE = 0.4;
 /* The most that l takes of the velocity of a body in a step, over what would stop it. */
@@ -55,24 +51,6 @@ static const double DAMPING = 0.1;
 /* In how many dx/sqrt(head) of the sound speed density goes to its sum over the neighbours: with 1 % of compression, in the
  * 100 H/c0 of acoustic steps (advance.c). Not in H/c0: what flow makes of order is the same for any c0. */
 static const double RELAXATION = 21;
-
-/* c0^2 in the derivation of the sound speed is so many times the head over max_compression. */
-static const double OVERSHOOT = 2;
-
-/** The head that the sound speed is made for [m^2/s^2], as a run that is resumed knows. */
-static double head_of_sound(const sph2d__system *s)
-{
-    return s->sound_speed * s->sound_speed * s->method.max_compression / OVERSHOOT;
-}
-
-double sph2d__implicit_step(const sph2d__system *s)
-{
-    const double c2 = s->sound_speed * s->sound_speed;
-    double pressed = fmax(s->head, head_of_sound(s));
-    for (size_t i = 0; i < s->fluid.count; ++i)
-        pressed = fmax(pressed, c2 * fabs(s->fluid.excess[i]));
-    return LONGEST * s->spacing / sqrt(pressed);
-}
 
 static const sph2d__implicit_pass *pass_of(const sph2d__system *s)
 {
@@ -140,7 +118,7 @@ static double loosen(sph2d_sim *sim)
 static void relax_some(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
-    const double part = fmin(z->dt * sqrt(head_of_sound(s)) / (RELAXATION * s->spacing), 1);
+    const double part = fmin(z->dt * sqrt(sph2d__head_of_sound(s)) / (RELAXATION * s->spacing), 1);
     for (size_t i = first; i < last; ++i)
         z->summed[i] *= part / sph2d__density_ratio(s->fluid.excess[i]);
 }

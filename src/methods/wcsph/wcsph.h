@@ -451,8 +451,9 @@ void sph2d__close_free(sph2d__system *system);
 /** Accelerations by viscosity and walls without slip, where the liquid is thick (thick.c), with those by all else in
  *  `rubbed`; `again`, from what was found, for the last time. */
 void sph2d__thick_solve(sph2d__system *system, bool again);
-/** The longest step that it takes, whatever the speed, with the pressures now [s]. */
-double sph2d__implicit_step(const sph2d__system *system);
+
+/** The head that the sound speed is made for [m^2/s^2], as a run that is resumed knows (wcsph.c). */
+double sph2d__head_of_sound(const sph2d__system *system);
 
 /** The time scheme (advance.c): method.h. */
 sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt);
