@@ -4,7 +4,8 @@
  *  solve is not in D: each stop left theta of its neighbours too low, and tension drew the tip of a wedge together. And an
  *  explicit force may be as strong as the head alone in such a step, less than what presses rows of particles together.
  *
- *  The force of a pair at r is F t^2 a mass, t = 1 - r/r0, F = R/(rho0 dx^2), four times the head over dx. With t_0 at the start, t' where velocities at the start lead to, and e along the pair in the middle,
+ *  The force of a pair at r is F t^2 a mass, t = 1 - r/r0, F = R/(rho0 dx^2), four times the head over dx. With t_0 at the
+ *  start, t' where velocities at the start lead to, and e along the pair in the middle,
  *  towards the side on which it began, it is the secant
  *
  *      F (t_0^2 + (t_0 + t') (t_1 - t_0)) = k (r0 t_0^2/(t_0 + t') + r_0 - r_1),  k = F (t_0 + t')/r0
