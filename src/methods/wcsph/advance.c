@@ -35,18 +35,37 @@ static void go_back(sph2d__system *s, size_t first, size_t last)
     memcpy(f->y + first, f->next_y + first, (last - first) * sizeof *f->y);
 }
 
+/** What sides store of a particle more where shifting takes it [J/kg]. */
+static double stored_by_shift(const sph2d__system *s, size_t i)
+{
+    const sph2d__frozen *z = s->frozen;
+    return sph2d__side_energy(s, z->px[i] + z->shift_x[i], z->py[i] + z->shift_y[i]) -
+           sph2d__side_energy(s, z->px[i], z->py[i]);
+}
+
+/** By how much shifting lifts a particle [J/kg]. */
+static double lifted(const sph2d__system *s, size_t i)
+{
+    const sph2d__frozen *z = s->frozen;
+    return sph2d__forces_potential(&s->forces, z->px[i] + z->shift_x[i], z->py[i] + z->shift_y[i]) -
+           sph2d__forces_potential(&s->forces, z->px[i], z->py[i]);
+}
+
 /** The whole way of the step. */
 static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    const sph2d__frozen *z = sim->system.frozen;
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid;
+    const sph2d__frozen *z = s->frozen;
     (void)dt;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
         w->dx[k] = z->px[i] - f->x[i] + z->shift_x[i];
         w->dy[k] = z->py[i] - f->y[i] + z->shift_y[i];
-        w->diffused -= sim->system.mass * (sph2d__forces_potential(&sim->system.forces, z->px[i] + z->shift_x[i],
-                                                                   z->py[i] + z->shift_y[i]) -
-                                           sph2d__forces_potential(&sim->system.forces, z->px[i], z->py[i]));
+        if (s->fills) {
+            const double stored = stored_by_shift(s, i);
+            w->diffused -= s->mass * (lifted(s, i) + stored);
+            f->stored[i] += stored;
+        }
         w->vx[k] = f->vx[i];
         w->vy[k] = f->vy[i];
     }
@@ -99,6 +118,37 @@ static void relax(sph2d_sim *sim, double dt, double paid)
     if (asked > 0)
         part *= fmin(fmax(paid, 0) / asked, 1);
     r->energy_diffused -= stiffness * sph2d__over_fluid(s, relax_slab, &part).first;
+}
+
+/* ---- shifting ---------------------------------------------------------------------------------------------------- */
+
+static void sum_lifted(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sum->first += lifted(s, i) + stored_by_shift(s, i);
+}
+
+static void shorten_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const double *part = with;
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        s->frozen->shift_x[i] *= *part;
+        s->frozen->shift_y[i] *= *part;
+    }
+}
+
+/** Shifts as far as what is left of the step's dissipation, `paid`, lifts the particles: in a full tank they would rise
+ *  for ever, and sink by pressures that this makes. */
+static void pay_for_shift(sph2d__system *s, double paid)
+{
+    if (!s->fills)
+        return;
+    const double work = s->mass * sph2d__over_fluid(s, sum_lifted, NULL).first;
+    const double part = fmax(paid, 0) / work;
+    if (work > 0 && part < 1)
+        sph2d__over_fluid(s, shorten_slab, &part);
 }
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
@@ -377,13 +427,14 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
         return SPH2D_NOMEM;
     sph2d__bodies_press(sim); /* by what stays as it is */
     sph2d__bodies_expect(sim, middle);
+    const double before = dissipated(sim);
     if (s->method.name == SPH2D_METHOD_CONSTRAINT) {
         sph2d__implicit_sound(sim, dt);
     } else {
-        const double before = dissipated(sim);
         sound(sim, dt);
         relax(sim, dt, dissipated(sim) - before);
     }
+    pay_for_shift(s, dissipated(sim) - before);
     sph2d__over_particles(s, s->fluid.count, report);
     sph2d__sim_set_drift_interval(sim, start, middle); /* torques about what boundary particles were placed about */
     sph2d__loads_find(sim, 1);
