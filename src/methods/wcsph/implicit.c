@@ -45,8 +45,6 @@
 static const double BRAKE = 0.4;
 /* The most that l takes of the velocity of a body in a step, over what would stop it. */
 static const double BODY_BRAKE = 0.5;
-/* Z. */
-static const double DAMPING = 0.1;
 
 /* In how many dx/sqrt(head) of the sound speed density goes to its sum over the neighbours: with 1 % of compression, in the
  * 100 H/c0 of acoustic steps (advance.c). Not in H/c0: what flow makes of order is the same for any c0. */
@@ -218,7 +216,7 @@ static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
 {
     sph2d__frozen *z = s->frozen;
     const double w = z->ahead, c2 = s->sound_speed * s->sound_speed;
-    const double stiff = c2 + DAMPING * s->sound_speed * s->support / w;
+    const double stiff = c2 + SPH2D__DAMPING * s->sound_speed * s->support / w;
     const bool again = with != NULL;
     for (size_t i = slab->first; i < slab->last; ++i) {
         const bool held = z->holds && z->known[i] > 0;

@@ -270,6 +270,8 @@ typedef struct sph2d__frozen {
 
 /* r0 over dx: nearer pairs repel each other. R over rho0 c0^2 dx: two particles that meet at 0.18 c0 come to a stop. */
 static const double SPH2D__CLOSE = 0.5, SPH2D__REPULSION = 0.2;
+/** The most that Z is. */
+static const double SPH2D__DAMPING = 0.1;
 /* The least determinant of M of which B is the inverse: below it there are too few neighbours. */
 static const double SPH2D__LEAST = 0.5;
 /* Rate at which what is not linear in velocities fades, over c0/dx. */

@@ -281,8 +281,6 @@ static void see_slab(sph2d__system *s, const sph2d__slab *slab, const void *with
     sph2d__wcsph_gather_find(s->isa)->see(s, slab->first / SPH2D__SLAB);
 }
 
-/* The most that Z is. */
-static const double DAMPING = 0.1;
 /* The largest g c0 dt of a particle. With g = (|B| + |C|) sum |G| + |S| no row of D has a larger sum than 2 g. On a lattice
  * its norm is 0.52 sum |G|, so that a leapfrog is stable up to g c0 dt = 3.8. */
 static const double MOST_RATE = 2;
@@ -309,7 +307,7 @@ static void bound(const sph2d__system *s, size_t i)
     z->wall_zy[i] *= part;
     z->walled[i] *= part;
     /* The columns of D's transpose are as large where particles are alike: stable with Z c0 H (2 g)^2 dt = 2. Here it is 1. */
-    const double g = straight + part * turned, diffusivity = DAMPING * s->sound_speed * s->support,
+    const double g = straight + part * turned, diffusivity = SPH2D__DAMPING * s->sound_speed * s->support,
                  limit = 4 * g * g * z->dt;
     z->damping[i] = s->mass * (diffusivity * limit > 1 ? 1 / limit : diffusivity);
 }
