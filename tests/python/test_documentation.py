@@ -11,31 +11,29 @@ import unittest
 import common
 from common import sph2d
 
-PAGES = {"docs/python.md": 10, "README.md": 1}
+PAGE = "docs/python.md"
 
 
-def programs_of(page):
-    with open(common.ROOT / page) as file:
+def programs():
+    with open(common.ROOT / PAGE) as file:
         return re.findall(r"^```python\n(.*?)^```$", file.read(), re.DOTALL | re.MULTILINE)
 
 
 class Documentation(common.InFolder):
     def test_programs_run(self):
         common.ignore_warnings(self)
-        for page, count in PAGES.items():
-            programs, names = programs_of(page), {}
-            self.assertGreaterEqual(len(programs), count, page)
-            self.assertLessEqual(len(programs[0].strip().split("\n")), 12, page)
-            for k, program in enumerate(programs):
-                if "libsph2d-render" in program and not common.CAN_DRAW:
-                    continue
-                out = io.StringIO()
-                with contextlib.redirect_stdout(out):
-                    exec(compile(program, f"{page}, program {k + 1}", "exec"), names)
-                self.assertTrue("print" not in program or out.getvalue().strip(), (page, k))
-            if page == "docs/python.md":
-                self.assertGreater(names["sim"].body("raft").center[1], 0.68)  # the winch holds
-                self.assertGreater(names["again"].time, names["snapshot"].info.time)
+        found, names = programs(), {}
+        self.assertGreaterEqual(len(found), 10)
+        self.assertLessEqual(len(found[0].strip().split("\n")), 12)
+        for k, program in enumerate(found):
+            if "libsph2d-render" in program and not common.CAN_DRAW:
+                continue
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out):
+                exec(compile(program, f"{PAGE}, program {k + 1}", "exec"), names)
+            self.assertTrue("print" not in program or out.getvalue().strip(), k)
+        self.assertGreater(names["sim"].body("raft").center[1], 0.68)  # the winch holds
+        self.assertGreater(names["again"].time, names["snapshot"].info.time)
 
     def test_the_example_says_what_the_program_in_c_says(self):
         run = subprocess.run([sys.executable, common.ROOT / "examples/embed.py"], capture_output=True, text=True,
@@ -47,7 +45,7 @@ class Documentation(common.InFolder):
         self.assertEqual(run.stdout, subprocess.run([program], capture_output=True, text=True, check=True).stdout)
 
     def test_everything_is_named(self):
-        with open(common.ROOT / "docs/python.md") as file:
+        with open(common.ROOT / PAGE) as file:
             table = file.read().split("## What there is")[1]
         for name in sph2d.__all__:
             thing = getattr(sph2d, name)
