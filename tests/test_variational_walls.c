@@ -219,6 +219,28 @@ START_TEST(a_wedge_leaves_a_tank_at_rest)
 }
 END_TEST
 
+/** Water that runs over the end of a chute meets the tip of a blade 1.5 spacings thick. Between both, walls on each side of a
+ *  particle have normals that look much the same way; only the one before it is thin. */
+START_TEST(a_tip_beside_a_sheet_is_as_thick_as_a_wall)
+{
+    static const sph2d_vec2 chute[] = {{0.4, 0.8}, {0.9, 0.8}},
+                            blade[] = {{1.1602, 0.5757}, {0.9304, 0.7685}, {0.9496, 0.7915}, {1.1794, 0.5987}};
+    lay_out(0.02, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {chute, 2}});
+    sph2d_obstacle walls[] = {thrown.obstacle, sph2d_obstacle_default()};
+    walls[0].liquid = SPH2D_LIQUID_LEFT;
+    walls[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {blade, 4}};
+    thrown.scene.domain.max.y = 1.2;
+    thrown.scene.obstacles = walls;
+    thrown.scene.obstacle_count = 2;
+    thrown.block = test_block(0.6, 0.8, 0.88, 0.9);
+    thrown.block.velocity = (sph2d_vec2){2, 0};
+    sph2d_summary s = run_until(0.3);
+    balances(&s);
+    ck_assert_double_le(s.energy_rise, 1e-3 * s.energy_scale);
+    sph2d_sim_destroy(thrown.sim);
+}
+END_TEST
+
 Suite *suite_variational_walls(void)
 {
     Suite *suite = suite_create("variational_walls");
@@ -232,6 +254,7 @@ Suite *suite_variational_walls(void)
     tcase_add_test(tests, a_floor_gives_no_energy);
     tcase_add_test(tests, a_thin_wall_holds_a_head);
     tcase_add_test(tests, a_wedge_leaves_a_tank_at_rest);
+    tcase_add_test(tests, a_tip_beside_a_sheet_is_as_thick_as_a_wall);
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -360,8 +360,8 @@ static void keep_found(sph2d__system *s, size_t first, size_t last)
 static bool clings(const sph2d__system *s, size_t i)
 {
     const sph2d__frozen *z = s->frozen;
-    return s->neighbours.slices[i / s->neighbours.lanes].walls > 0 && !s->fills && !(z->walled[i] > 0) &&
-           z->acts[i] > 0 && z->solved[i] < 0;
+    const bool beside = z->sx[i] * z->sx[i] + z->sy[i] * z->sy[i] > 0;
+    return beside && !s->fills && !(z->walled[i] > 0) && z->acts[i] > 0 && z->solved[i] < 0;
 }
 
 static void count_clinging(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)

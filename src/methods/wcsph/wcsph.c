@@ -122,15 +122,14 @@ static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, 
     const double weight =
         z->part[b] * s->walls.mass[b] / s->rest_density * sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
     const double slope = weight * sph2d__kernel_slope_at(s->method.kernel, sqrt(dx * dx + dy * dy) / s->support);
-    volatile float gx = (float)(slope * dx), gy = (float)(slope * dy); /* as rounded as they act */
-    const double more = sph2d__thickness(s, i, b);
+    volatile float gx = (float)(slope * dx), gy = (float)(slope * dy), rx = (float)dx, ry = (float)dy; /* as they act */
+    const double more = sph2d__thickness(s, i, b, rx, ry);
     gx = (float)((double)gx + more * (double)gx);
     gy = (float)((double)gy + more * (double)gy);
     const double x = (double)gx, y = (double)gy;
     const double ax = z->bxx[i] * x + z->bxy[i] * y, ay = z->bxy[i] * x + z->byy[i] * y;
     const double pull = z->mean_ex[i] * dx + z->mean_ey[i] * dy;
     const double nx = z->wall_xx[i] * ax + z->wall_xy[i] * ay, ny = z->wall_xy[i] * ax + z->wall_yy[i] * ay;
-    volatile float rx = (float)dx, ry = (float)dy;
     const double repel = z->mean_repelled[i] * sph2d__front_share(s, i, b, x, y, (double)rx, (double)ry);
     sph2d_vec2 friction = sph2d__friction_of(s, b, dx, dy);
     if (z->sticks) {

@@ -369,12 +369,14 @@ static inline bool sph2d__within_sides(const sph2d__system *s, size_t b)
     return w->x[b] > d->low_x && w->x[b] < d->high_x && w->y[b] > d->low_y && w->y[b] < d->high_y;
 }
 
-/** By how much more boundary particle b presses on particle i, as part of a face that is thin: wcsph_sight.h. */
-static inline double sph2d__thickness(const sph2d__system *s, size_t i, size_t b)
+/** By how much more boundary particle b, at -r of particle i, presses on it, as part of a face that is thin: wcsph_sight.h. r is
+ *  as rounded as in the lists. */
+static inline double sph2d__thickness(const sph2d__system *s, size_t i, size_t b, float rx, float ry)
 {
     const sph2d__frozen *z = s->frozen;
     const sph2d__store *w = &s->walls;
-    const bool on_face = z->sight_x[i] * w->normal_x[b] + z->sight_y[i] * w->normal_y[b] > 0;
+    const bool on_face = z->sight_x[i] * w->normal_x[b] + z->sight_y[i] * w->normal_y[b] > 0 &&
+                         (double)rx * z->sight_x[i] + (double)ry * z->sight_y[i] > 0;
     return on_face && sph2d__within_sides(s, b) ? z->thicker[i] : 0;
 }
 

@@ -111,12 +111,15 @@ SPH2D__INLINE sph2d__lanes beyond_plane(const sph2d__system *s, sph2d__lanes dis
     return sum;
 }
 
-/** 1 for boundary particles of the face before which a particle is, with normal n, else 0. */
-SPH2D__INLINE sph2d__lanes on_face(const sph2d__system *s, const uint32_t *b, sph2d__lanes nx, sph2d__lanes ny)
+/** 1 for boundary particles of the face before which a particle is, with normal n, else 0. r: from them to it. Walls on its
+ *  other side have normals like n, too, where it is in a gap: with theirs the face's own sum was next to nothing. */
+SPH2D__INLINE sph2d__lanes on_face(const sph2d__system *s, const uint32_t *b, sph2d__lanes nx, sph2d__lanes ny,
+                                   sph2d__lanes rx, sph2d__lanes ry)
 {
     const sph2d__lanes none = {0}, along = nx * sph2d__lanes_gather(s->walls.normal_x, b) +
                                            ny * sph2d__lanes_gather(s->walls.normal_y, b);
-    return within(s, b, sph2d__lanes_where(along, none, sph2d__lanes_all(1)));
+    const sph2d__lanes behind = sph2d__lanes_where(rx * nx + ry * ny, none, sph2d__lanes_all(1));
+    return within(s, b, sph2d__lanes_where(along, none, behind));
 }
 
 /** By how much more the face of a slice's particles presses than its boundary particles do: with what is behind it, the liquid
@@ -129,9 +132,9 @@ SPH2D__INLINE sph2d__lanes thickness_of(const sph2d__system *s, size_t first, si
     const sph2d__lanes nx = sph2d__lanes_load(z->sight_x + first), ny = sph2d__lanes_load(z->sight_y + first);
     sph2d__lanes wx = none, wy = none, solid = none;
     for (size_t k = begin; k < begin + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
-        const sph2d__lanes on = on_face(s, s->neighbours.index + k, nx, ny);
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
                            rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
+        const sph2d__lanes on = on_face(s, s->neighbours.index + k, nx, ny, rx, ry);
         wx += on * gx;
         wy += on * gy;
         solid -= sph2d__lanes_where(rx * nx + ry * ny, distance, gx * nx + gy * ny);
@@ -159,9 +162,9 @@ SPH2D__INLINE symmetric thicken(const sph2d__system *s, size_t first, size_t beg
     const sph2d__lanes nx = sph2d__lanes_load(z->sight_x + first), ny = sph2d__lanes_load(z->sight_y + first);
     sph2d__lanes_store(z->thicker + first, more);
     for (size_t k = begin; k < begin + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
-        const sph2d__lanes on = more * on_face(s, s->neighbours.index + k, nx, ny);
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
                            rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
+        const sph2d__lanes on = more * on_face(s, s->neighbours.index + k, nx, ny, rx, ry);
         const sph2d__lanes mx = on * gx, my = on * gy;
         sum.xx -= sph2d__lanes_where(mx * mx, (sph2d__lanes){0}, mx * rx); /* what lists end with is far away */
         sum.xy -= sph2d__lanes_where(mx * mx, (sph2d__lanes){0}, mx * ry);
