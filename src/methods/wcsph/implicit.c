@@ -121,21 +121,31 @@ static void relax_some(sph2d__system *s, size_t first, size_t last)
         z->summed[i] *= part / sph2d__density_ratio(s->fluid.excess[i]);
 }
 
+/** What friction takes of particle i, which had velocity v, in the step: where the liquid is thick by v* (thick.c) [J/kg]. */
+static double rubbed(const sph2d__frozen *z, size_t i, double vx, double vy)
+{
+    const double dt = z->dt, x = z->rubbed_x[i], y = z->rubbed_y[i];
+    if (!z->thick)
+        return -dt * (x * (vx + dt / 2 * x) + y * (vy + dt / 2 * y));
+    const double tx = z->thick_x[i], ty = z->thick_y[i], ux = tx - vx, uy = ty - vy;
+    return (ux * ux + uy * uy) / 2 - dt * (x * tx + y * ty);
+}
+
 /** Sums up what it costs by the pressures that were found, what damping takes with them, and friction [J/m]. */
 static void pay_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     const sph2d__frozen *z = s->frozen;
     const sph2d__store *f = &s->fluid;
-    const double c2 = s->sound_speed * s->sound_speed, m = s->mass, dt = z->dt, part = z->ahead / dt;
+    const double c2 = s->sound_speed * s->sound_speed, m = s->mass, part = z->ahead / z->dt;
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i) {
-        const double x = z->rubbed_x[i], y = z->rubbed_y[i], p = z->solved[i], relaxed = z->summed[i];
+        const double p = z->solved[i], relaxed = z->summed[i];
         const double then = z->soft[i] * p + (1 - c2 * z->soft[i]) * f->excess[i];
         const double squeezed = (then - f->excess[i]) / part, before = f->excess[i] - part * relaxed;
         const double cost = m * c2 * relaxed * then, change = squeezed + relaxed;
         sum->first += cost;
         sum->second += cost + m * (p * squeezed - c2 * change * (before + change / 2));
-        sum->third -= m * dt * (x * (f->vx[i] + dt / 2 * x) + y * (f->vy[i] + dt / 2 * y));
+        sum->third += m * rubbed(z, i, f->vx[i], f->vy[i]);
     }
 }
 
