@@ -247,9 +247,8 @@ static void print_materials(void)
         printf("%-10s %8g %18s %16s  %s\n", materials[i].name, materials[i].density, viscosity, tension,
                materials[i].source);
     }
-    printf(
-        "\nTheir viscosity depends on the shear rate: with wcsph (variational operators), constraint and pcisph. With\n"
-        "'model: newtonian' and a dynamic_viscosity they are liquids for every method.\n\n");
+    printf("\nTheir viscosity depends on the shear rate: with wcsph (variational operators) and constraint. With\n"
+           "'model: newtonian' and a dynamic_viscosity they are liquids for every method.\n\n");
     for (size_t i = 1; i < count; ++i)
         if (keys_law(&materials[i], law, sizeof law)[0] != '\0')
             printf("%-10s %s\n", materials[i].name, law);

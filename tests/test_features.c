@@ -213,16 +213,6 @@ static void set_tolerance(stage *s)
     s->scene.method.tolerance = 2e-4;
 }
 
-static void set_criterion(stage *s)
-{
-    s->scene.method.criterion = SPH2D_CRITERION_MEAN;
-}
-
-static void set_min_iterations(stage *s)
-{
-    s->scene.method.min_iterations = 4;
-}
-
 static void set_max_iterations(stage *s)
 {
     s->scene.method.max_iterations = 50;
@@ -242,7 +232,7 @@ static const struct feature {
 } features[] = {
     {"boundary.top", FREE, set_open},
     {"boundary.left", ALL, set_periodic},
-    {"wall_slip", ALL & ~MULLER, set_rough},
+    {"wall_slip", ALL & ~(MULLER | PCISPH), set_rough},
     {"wall_slip", WCSPH | CONSTRAINT, set_smooth},
     {"fluid.surface_tension", FREE, set_tension},
     {"central_force", ALL, set_central},
@@ -264,8 +254,6 @@ static const struct feature {
     {"method.density_diffusion", FITTED, set_delta},
     {"method.shifting", FITTED, set_shifting},
     {"method.tolerance", CONSTRAINT, set_tolerance},
-    {"method.criterion", PCISPH, set_criterion},
-    {"method.min_iterations", PCISPH, set_min_iterations},
     {"method.max_iterations", PCISPH | CONSTRAINT, set_max_iterations},
     {"particles", ALL, set_particles},
 };

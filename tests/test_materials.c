@@ -327,7 +327,7 @@ static const struct {
      "is no part of a liquid that is herschel_bulkley, as mud is"},
     {"{material: blood, model: newtonian}", "wcsph", "fluid.dynamic_viscosity", SPH2D_CODE_MISSING_KEY,
      "must be given: blood is carreau and has no single viscosity"},
-    {"{material: mud, model: newtonian}", "pcisph", "fluid.dynamic_viscosity", SPH2D_CODE_MISSING_KEY,
+    {"{material: mud, model: newtonian}", "constraint", "fluid.dynamic_viscosity", SPH2D_CODE_MISSING_KEY,
      "must be given: mud is herschel_bulkley and has no single viscosity"},
     {"{material: blood, infinite_viscosity: 0.1}", "wcsph", "fluid.infinite_viscosity", SPH2D_CODE_CONFLICT,
      "must be less than dynamic_viscosity"},

@@ -122,12 +122,12 @@ START_TEST(keys_of_other_methods_are_refused)
     scene.blocks = &block;
     scene.block_count = 1;
     ck_assert_int_eq(sph2d_scene_check(&scene, NULL), SPH2D_OK);
-    scene.method.min_iterations = 5;
+    scene.method.tolerance = 1e-3;
     scene.method.shifting = 0.5;
     sph2d_report report = {0};
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
     size_t wanted = 0, count = report.count;
-    static const sph2d_feature features[] = {SPH2D_FEATURE_MIN_ITERATIONS, SPH2D_FEATURE_SHIFTING};
+    static const sph2d_feature features[] = {SPH2D_FEATURE_TOLERANCE, SPH2D_FEATURE_SHIFTING};
     for (size_t k = 0; k < sizeof features / sizeof *features; ++k)
         wanted += sph2d_method_has(row, features[k]) ? 0 : 1;
     ck_assert_uint_eq(count, wanted);
@@ -136,7 +136,7 @@ START_TEST(keys_of_other_methods_are_refused)
         ck_assert_int_eq(d->code, SPH2D_CODE_UNSUPPORTED);
         ck_assert_ptr_nonnull(strstr(d->message, row->name));
         const char *other = row->method == SPH2D_METHOD_WCSPH ? "operators: fitted" : "wcsph";
-        ck_assert_ptr_nonnull(strstr(d->hint, strcmp(d->path, "method.min_iterations") == 0 ? "pcisph" : other));
+        ck_assert_ptr_nonnull(strstr(d->hint, strcmp(d->path, "method.tolerance") == 0 ? "constraint" : other));
     }
 }
 END_TEST

@@ -100,9 +100,9 @@ static const char *const goldens[] = {
     "  max_energy_rise: 0.25\n  impacts: [0.5, 1, 1e-05]\n",
 
     "name: belts\n"
-    "domain:\n  min: [0, 0]\n  max: [1, 1]\nwalls: reflect\nwall_slip: none\n"
+    "domain:\n  min: [0, 0]\n  max: [1, 1]\nwall_slip: none\n"
     "wall_speeds:\n  left: 1\n  right: -1\n  bottom: 0.5\n  top: -0.5\ngravity: [0, 0]\nspacing: 0.05\n"
-    "method:\n  name: pcisph\n  kernel: quintic\n  artificial_viscosity: 0.02\n"
+    "method:\n  name: constraint\n  kernel: wendland_c4\n  tolerance: 0.02\n"
     "blocks:\n"
     "  - box:\n      min: [0.25, 0.25]\n      max: [0.75, 0.75]\n"
     "run:\n  snapshots:\n    every: 0.5\n  frames:\n    per_second: 25\n",
@@ -172,7 +172,7 @@ static const char *const goldens[] = {
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\nspacing: 0.1\n"
     "fluid:\n  material: honey\n  density: 1000\n" /* 1000 is the default, but not honey's */
-    "method:\n  name: pcisph\n  criterion: mean\n  min_iterations: 2\n"
+    "method:\n  name: pcisph\n  artificial_viscosity: 0.02\n  max_iterations: 200\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",
 

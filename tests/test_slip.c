@@ -275,7 +275,7 @@ START_TEST(what_cannot_work_is_refused)
 }
 END_TEST
 
-/** Fitted operators take walls that are all rough by themselves, and pcisph those that are all free. */
+/** Fitted operators take walls that are all rough by themselves, and hybrid those that are all free. */
 START_TEST(what_works_is_taken)
 {
     sph2d_report report = {0};
@@ -288,7 +288,7 @@ START_TEST(what_works_is_taken)
         scene.wall_speeds.top = 1;
     } else {
         scene.method = sph2d_scene_default().method;
-        scene.method.name = SPH2D_METHOD_PCISPH;
+        scene.method.name = SPH2D_METHOD_HYBRID;
         scene.gravity.y = -9.81;
         scene.side_slip.bottom = SPH2D_WALL_SLIP_FREE;
     }

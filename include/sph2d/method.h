@@ -24,8 +24,6 @@ extern "C" {
     X(DENSITY_DIFFUSION, "method.density_diffusion")                                                                   \
     X(SHIFTING, "method.shifting")                                                                                     \
     X(TOLERANCE, "method.tolerance")                                                                                   \
-    X(CRITERION, "method.criterion")                                                                                   \
-    X(MIN_ITERATIONS, "method.min_iterations")                                                                         \
     X(MAX_ITERATIONS, "method.max_iterations")                                                                         \
     X(SURFACE_TENSION, "fluid.surface_tension")                                                                        \
     X(WALL_SLIP, "wall_slip")                                                                                          \

@@ -191,7 +191,7 @@ typedef struct sph2d_fluid {
      *  but newtonian not used. */
     double dynamic_viscosity;
 
-    /** How viscosity depends on the shear rate: wcsph with variational operators, constraint, pcisph; default newtonian. */
+    /** How viscosity depends on the shear rate: wcsph with variational operators, constraint; default newtonian. */
     sph2d_rheology model;
 
     /** power_law, herschel_bulkley: K [Pa s^n], > 0; must be given. */
@@ -281,12 +281,6 @@ typedef struct sph2d_method_options {
     /** constraint: tolerance of the solver, what may be left of its equations over their right side, both as the root of the
      *  sum of squares, 1e-12 to 0.1; default 0 means 5e-3. */
     double tolerance;
-
-    /** pcisph: what is kept below max_compression; default max. */
-    sph2d_criterion criterion;
-
-    /** pcisph: smallest number of iterations in a step, 1 to 100000; default 3. */
-    uint64_t min_iterations;
 
     /** pcisph, constraint: largest number of iterations in a step, 1 to 100000; default 1000. */
     uint64_t max_iterations;

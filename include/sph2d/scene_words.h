@@ -97,15 +97,6 @@ typedef enum sph2d_opening_profile {
     SPH2D_OPENING_PROFILE_TURBULENT = 2
 } sph2d_opening_profile;
 
-/** What method pcisph keeps below max_compression in every step. */
-typedef enum sph2d_criterion {
-    /** The largest compression of a particle. */
-    SPH2D_CRITERION_MAX = 0,
-
-    /** The mean over particles. */
-    SPH2D_CRITERION_MEAN = 1
-} sph2d_criterion;
-
 /** Methods, in the order of their values from 0 on: name, word of scene files.
  *
  *  muller      summation density, p = k (rho - rho0), symmetric pressure force: Mueller 2003 with two-dimensional

@@ -7,7 +7,6 @@
 #include "base/parallel.h"
 #include "methods/hybrid/grid.h"
 #include "methods/projection/body_rows.h"
-#include "methods/projection/implicit_viscosity.h"
 #include "methods/terms/rheology.h"
 #include "methods/wcsph/wcsph.h"
 #include "probes/probes.h"
@@ -330,7 +329,6 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__release(memory, &blocks[0], sim->to_remove_capacity, 1);
     sph2d__release(memory, &blocks[2], sim->system.viscosity_capacity, sizeof(double));
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));
-    sph2d__implicit_viscosity_free(s);
     sph2d__grid_free(s);
     sph2d__frozen_free(s);
     sph2d__barrier_free(&sim->barrier, memory);

@@ -101,7 +101,7 @@ static void check_method(checker *c)
                  words[material->model]);
     sph2d_diagnostic *d =
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, material ? "fluid.material" : "fluid.model", message);
-    sph2d_diagnostic_hint(d, "use `method: wcsph` with variational operators, constraint or pcisph%s",
+    sph2d_diagnostic_hint(d, "use `method: wcsph` with variational operators or constraint%s",
                           material ? ", or add `model: newtonian` with a `dynamic_viscosity`" : "");
 }
 

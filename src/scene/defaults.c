@@ -15,11 +15,7 @@ sph2d_scene sph2d_scene_default(void)
         .gravity = {0.0, -9.81},
         .motion = {.center = {NAN, NAN}},
         .fluid = {.density = 1000.0, .dynamic_viscosity = 1.0e-3},
-        .method = {.name = SPH2D_METHOD_WCSPH,
-                   .density_diffusion = 0.1,
-                   .shifting = 1,
-                   .min_iterations = 3,
-                   .max_iterations = 1000},
+        .method = {.name = SPH2D_METHOD_WCSPH, .density_diffusion = 0.1, .shifting = 1, .max_iterations = 1000},
         .run = {.until = 1.0, .frames = {.size = {1280, 720}, .caption = SPH2D_SWITCH_ON}},
     };
 }

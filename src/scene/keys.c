@@ -55,7 +55,6 @@ static const char *const flow_words[] = {"none",          "still",  "taylor_gree
                                          "standing_wave", "strain", "rotation",     "patch",  "drop",       NULL};
 #define METHOD_WORD(name, word) #word,
 static const char *const method_words[] = {SPH2D_METHOD_MAP(METHOD_WORD) NULL};
-static const char *const criterion_words[] = {"max", "mean", NULL};
 static const char *const arrangement_words[] = {"lattice", "rings", NULL};
 static const char *const switch_words[] = {"off", "on", NULL};
 static const char *const operator_words[] = {"variational", "fitted", NULL};
@@ -658,11 +657,6 @@ static const sph2d_key method_items[] = {
     {"tolerance", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, tolerance), BETWEEN_OR_0(1e-12, 0.1), .unit = "",
      .default_text = "0.005", .feature = SPH2D_FEATURE_TOLERANCE,
      .text = "what may be left of a step's equations, over their right side"},
-    {"criterion", SPH2D_KEY_WORD, false, AT(sph2d_method_options, criterion), .words = criterion_words, .unit = "",
-     .default_text = "max", .feature = SPH2D_FEATURE_CRITERION,
-     .text = "the compression that is kept below max_compression"},
-    {"min_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, min_iterations), BETWEEN(1, 100000), .unit = "",
-     .default_text = "3", .feature = SPH2D_FEATURE_MIN_ITERATIONS, .text = "minimum number of iterations per step"},
     {"max_iterations", SPH2D_KEY_COUNT, false, AT(sph2d_method_options, max_iterations), BETWEEN(1, 100000), .unit = "",
      .default_text = "1000", .feature = SPH2D_FEATURE_MAX_ITERATIONS, .text = "maximum number of iterations per step"},
 };

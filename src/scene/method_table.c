@@ -97,9 +97,8 @@ static const sph2d__method_row rows[] = {
               .source = "Solenthaler & Pajarola 2009",
               .support_ratio = 2.4,
               .max_compression = 0.01,
-              .features = HAS(KERNEL) | HAS(CRITERION) | HAS(MIN_ITERATIONS) | HAS(MAX_ITERATIONS) |
-                          HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) | HAS(FREE_SURFACE) | HAS(WALL_SLIP) |
-                          HAS(RHEOLOGY) | HAS(BODIES) | HAS(WALL_FORCES),
+              .features = HAS(KERNEL) | HAS(MAX_ITERATIONS) | HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) |
+                          HAS(FREE_SURFACE) | HAS(BODIES) | HAS(WALL_FORCES),
               .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
      .artificial_viscosity = 0.1,
      .free_compression = true,

@@ -62,15 +62,8 @@ static void write_solver(draft *d)
         fprintf(d->out, ", kernel: %s", ONE_OF(d, "wendland_c2", "wendland_c4", "wendland_c6", "cubic", "quintic"));
     if (chance(d, 0.2))
         fprintf(d->out, ", max_iterations: %s", ONE_OF(d, "50", "200", "3000"));
-    if (is(d, "pcisph")) {
-        if (chance(d, 0.3))
-            fputs(", criterion: mean", d->out);
-        if (chance(d, 0.15))
-            fputs(", min_iterations: 5", d->out);
-    } else {
-        if (chance(d, 0.15))
-            fprintf(d->out, ", tolerance: %.2g", decades(d, 1e-6, 1e-2));
-    }
+    if (!is(d, "pcisph") && chance(d, 0.15))
+        fprintf(d->out, ", tolerance: %.2g", decades(d, 1e-6, 1e-2));
 }
 
 static void write_hybrid(draft *d)
@@ -91,7 +84,7 @@ void write_method(draft *d)
     const bool named = (!chance(d, 0.15) && !(d->opened && chance(d, 0.5))) || d->thick;
     snprintf(d->method, sizeof d->method, "%s",
              d->opened                   ? "wcsph"
-             : d->thick                  ? ONE_OF(d, "pcisph", "constraint")
+             : d->thick                  ? "constraint"
              : !named                    ? d->bodied ? "wcsph" : "muller"
              : d->full && chance(d, 0.7) ? "wcsph"
                                          : ONE_OF(d, "muller", "wcsph", "wcsph", "pcisph", "constraint"));
@@ -127,9 +120,9 @@ void write_walls(draft *d)
         return;
     }
     if (chance(d, 0.2)) {
-        const char *form = is(d, "wcsph") ? "generalised"
-                           : soft         ? ONE_OF(d, "spring", "heavy")
-                                          : ONE_OF(d, "heavy", "generalised");
+        const char *form = soft              ? ONE_OF(d, "spring", "heavy")
+                           : is(d, "pcisph") ? ONE_OF(d, "heavy", "generalised")
+                                             : "generalised";
         fprintf(d->out, "walls: %s\n", form);
         d->layered = strcmp(form, "generalised") == 0;
         if (soft && form[0] == 's' && chance(d, 0.5))

@@ -31,25 +31,6 @@ typedef struct sph2d__body_pairs {
     size_t bodies; /**< room in `first`, less 1 */
 } sph2d__body_pairs;
 
-/** Viscosity that a step solves for (methods/projection/implicit_viscosity.h), by particles of the fluid. */
-typedef struct sph2d__implicit {
-    bool on;
-    double brake;                  /**< b/H^2: times mu |g| r_ij^2 the rate of a pair [1/(kg m)] */
-    double *vx, *vy;               /**< v* [m/s] */
-    double *ax, *ay;               /**< a_v [m/s^2] */
-    double *rest_x, *rest_y;       /**< what is left of the equations [m/s] */
-    double *xx, *xy, *yy;          /**< blocks of the walls [1/s] */
-    double *wall_x, *wall_y;       /**< what walls that move add to a_v [m/s^2] */
-    double *inverse_x, *inverse_y; /**< of the matrix's diagonal */
-    double *product_x, *product_y; /**< of the matrix with the direction [m/s] */
-    double *direction;             /**< two floats each (lanes.h) [m/s] */
-    double *block;                 /**< all of these */
-    double *dyads;                 /**< by pairs of the fluid's neighbours: c, two floats [s^-1/2] */
-    size_t capacity, pairs;        /**< particles and pairs for which there is room */
-    uint64_t iterations;           /**< so far */
-} sph2d__implicit;
-enum { SPH2D__IMPLICIT_ARRAYS = 16 };
-
 typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
@@ -76,7 +57,6 @@ typedef struct sph2d__system {
     const sph2d_fluid *liquid; /**< the scene's, with its regularisation */
     double *viscosities;       /**< of the fluid's particles, where they depend on the shear rate, else NULL [Pa s] */
     size_t viscosity_capacity;
-    sph2d__implicit implicit;
     struct sph2d__grid *grid;     /**< hybrid: its grid, from the first step on (methods/hybrid/grid.h) */
     struct sph2d__frozen *frozen; /**< wcsph: what stands still over a step (methods/wcsph) */
     double surface_tension;       /**< [N/m] */

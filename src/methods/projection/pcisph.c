@@ -7,8 +7,7 @@
  *      r = rho+/rho0 - 1 - z/(c0 dt)^2
  *      y <- max(0, z + w r/(2 sum |G|^2)),  z = max(0, y + b (y - last y))
  *
- *  until the largest, or the mean, of |r| where z > 0 or r > 0 is at most max_compression, min_iterations times at
- *  least. The sum is that of a filled lattice, for all particles (their prototype): 1/(2 sum |G|^2) is delta of their
+ *  until the largest |r| where z > 0 or r > 0 is at most max_compression, three times at least (their min_iterations). The sum is that of a filled lattice, for all particles (their prototype): 1/(2 sum |G|^2) is delta of their
  *  eq. 8 in the units of y. Beyond the paper:
  *  - A relaxation w < 1, halved where r grows: unrelaxed the loop diverges for wide kernels and where particles are
  *    disordered.
@@ -29,6 +28,8 @@ static const double RELAXATION = 0.9;
 static const double WARMTH = 0.3;
 /* The step along what is left was too long when more is left than so much of the least. */
 static const double GROWTH = 1.5;
+/* Iterations in a step. */
+enum { LEAST = 3 };
 
 /** One correction of a store's multipliers, which are ahead of those of the last correction: a step along what is left,
  *  and on by `ahead` of the way from there. */
@@ -72,13 +73,12 @@ static void project(sph2d__system *s)
     sph2d__projection_begin(s, WARMTH);
     s->wanted_residual = s->method.max_compression;
     s->unconverged = true;
-    while (n < s->method.max_iterations && (s->unconverged || n < s->method.min_iterations)) {
+    while (n < s->method.max_iterations && (s->unconverged || n < LEAST)) {
         double next = (1 + sqrt(1 + 4 * t * t)) / 2;
         c.ahead = (t - 1) / next;
         sph2d__projection_next_positions(s);
         sph2d__slab_sum left = sph2d__over_rows(s, correct_slab, &c);
-        s->residual =
-            s->method.criterion == SPH2D_CRITERION_MAX ? left.most : left.first / fmax(1, (double)s->fluid.count);
+        s->residual = left.most;
         s->unconverged = !(s->residual <= s->wanted_residual);
         bool grows = left.first > GROWTH * least;
         c.factor *= grows ? 0.5 : 1;

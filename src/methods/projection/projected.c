@@ -44,7 +44,6 @@
 #include <math.h>
 
 #include "methods/common/slabs.h"
-#include "methods/projection/implicit_viscosity.h"
 #include "methods/projection/limited_viscosity.h"
 #include "methods/projection/projection.h"
 #include "sim/stages.h"
@@ -136,14 +135,11 @@ sph2d_status sph2d__projected(sph2d_sim *sim, double dt)
         return SPH2D_NOMEM;
     sph2d__profile_enter(&sim->system.profile, SPH2D_PHASE_SOLVE);
     sim->record.energy_viscous += sph2d__limited_viscosity_apply(&sim->system, dt);
-    if (!sph2d__implicit_viscosity_add(&sim->system, dt))
-        return SPH2D_NOMEM;
     sph2d__projection_keep(&sim->system);
     sim->method->project(&sim->system);
     sph2d__projection_average(&sim->system);
     sph2d__bodies_press(sim);
     split(sim, dt);
-    sim->record.energy_viscous += sph2d__implicit_viscosity_taken(&sim->system, dt, sim->split);
     sph2d__loads_find(sim, 1 - sim->split);
     status = sph2d__bodies_project(sim, dt, sim->split);
     if (status != SPH2D_OK)

@@ -9,9 +9,7 @@
 #include <string.h>
 
 #include "kernels/kernel.h"
-#include "methods/projection/implicit_viscosity.h"
 #include "methods/projection/limited_viscosity.h"
-#include "methods/terms/rheology.h"
 #include "methods/terms/stable_step.h"
 #include "methods/terms/tension.h"
 #include "methods/terms/viscosity.h"
@@ -65,7 +63,7 @@ bool sph2d__projection_gather(sph2d__system *s)
             break;
     }
     sph2d__tension_add(s);
-    bool done = sph2d__body_rows_gather(s) && sph2d__rheology_set(s);
+    bool done = sph2d__body_rows_gather(s);
     sph2d__profile_enter(&s->profile, before);
     return done;
 }
@@ -185,8 +183,7 @@ sph2d__wall_force sph2d__projection_wall_force(const sph2d__system *s, size_t i,
     double press = s->mass / (s->step * s->step) * (s->fluid.multiplier[i] + s->walls.multiplier[b]);
     /* Volatile: GCC 12 with -O3 makes one vector of two conversions to float and back, and drops them. */
     volatile float gx = (float)(g * dx), gy = (float)(g * dy);
-    return (sph2d__wall_force){.pressure = {-press * (double)gx, -press * (double)gy},
-                               .friction = sph2d__implicit_friction(s, i, b, dx, dy)};
+    return (sph2d__wall_force){.pressure = {-press * (double)gx, -press * (double)gy}};
 }
 
 double sph2d__projection_elastic(const sph2d__system *s, size_t i, bool pressed)
@@ -209,7 +206,7 @@ static const double VISCOUS = 2.0 / 3;
 double sph2d__projection_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
     double push = sqrt(s->max_pressure / s->rest_density);
-    double nu = (s->implicit.on ? 0 : s->viscosity / s->rest_density) + sph2d__limited_viscosity_of(s);
+    double nu = s->viscosity / s->rest_density + sph2d__limited_viscosity_of(s);
     return sph2d__shortest_step(s, 0, push > speed ? push : speed, acceleration, nu,
                                 VISCOUS * sph2d__viscosity_step(s->method.kernel), FORCE, limit);
 }
@@ -295,5 +292,4 @@ void sph2d__projection_prepare(sph2d__system *s)
     s->moment = s->calibration * ratio * ratio * constant * sums.moment / 2;
     weigh_rows(s, sums.value);
     fill_layers(s);
-    sph2d__implicit_viscosity_prepare(s);
 }

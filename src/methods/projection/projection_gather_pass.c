@@ -6,7 +6,6 @@
  *  is summed for a slice of particles at once. */
 #include "methods/common/slices.h"
 #include "methods/projection/projection_pair.h"
-#include "methods/terms/stick.h"
 
 /* ---- sums -------------------------------------------------------------------------------------------------------- */
 
@@ -18,35 +17,6 @@ SPH2D__INLINE void sum_slots(sph2d__neighbours *n, size_t at, uint32_t slots, co
     for (uint32_t k = 0; k < slots; ++k, at += SPH2D__LANES)
         sph2d__float2_store(n->gradient + at, gather_pair(&sum, w, kernel, n->index + at));
     *to = sum;
-}
-
-/** Adds walls without slip to the velocity gradients, of liquids whose viscosity depends on them: stick.h. */
-SPH2D__INLINE void gradient_by_walls(const sph2d__system *s, const sph2d__slice *at, slice *sum)
-{
-    const sph2d__neighbours *n = &s->neighbours;
-    const sph2d__store *w = &s->walls;
-    const sph2d__period *period = &s->fluid_cells.period;
-    size_t k = at->begin + (size_t)at->fluid * SPH2D__LANES, end = k + (size_t)at->walls * SPH2D__LANES;
-    for (; k < end; k += SPH2D__LANES) {
-        const uint32_t *index = n->index + k;
-        sph2d__lanes dx = sph2d__shortest(sum->x - sph2d__lanes_gather(w->x, index), period->length_x), ux = {0};
-        sph2d__lanes dy = sph2d__shortest(sum->y - sph2d__lanes_gather(w->y, index), period->length_y), uy = {0};
-        sph2d__float2 g = sph2d__float2_load(n->gradient + k);
-        sph2d__lanes gx = sph2d__float2_x(g), gy = sph2d__float2_y(g);
-        for (int l = 0; l < SPH2D__LANES; ++l) {
-            size_t b = index[l];
-            double stick = gx[l] != 0 || gy[l] != 0 ? sph2d__stick(s, b, dx[l], dy[l]) : 0;
-            if (stick == 0) {
-                gx[l] = gy[l] = 0;
-                continue;
-            }
-            sph2d_vec2 jump =
-                sph2d__stick_jump(s, b, stick, dx[l], dy[l], sum->vx[l] - w->vx[b], sum->vy[l] - w->vy[b]);
-            ux[l] = jump.x;
-            uy[l] = jump.y;
-        }
-        gradient_pair(&sum->gradient, gx, gy, dx, dy, ux, uy);
-    }
 }
 
 /** Everything about the fluid particles `first` on of a slice. */
@@ -61,8 +31,8 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
     weights w = {.support = s->support,
                  .slope = sph2d__kernel_constant(kernel) / (h2 * h2),
                  .weight = (sph2d__lanes){0} + own,
-                 .viscous = s->viscosity > 0 && !s->implicit.on,
-                 .limited = sph2d__limited_viscosity_of(s) > 0 || s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN,
+                 .viscous = s->viscosity > 0,
+                 .limited = sph2d__limited_viscosity_of(s) > 0,
                  .from = f,
                  .period = &s->fluid_cells.period};
     *at = (sph2d__slice){.begin = to->next};
@@ -78,8 +48,6 @@ SPH2D__INLINE void gather_slice(sph2d__system *s, sph2d__pairs *to, size_t first
         sph2d__pairs_search(to, &to->walls, &s->wall_cells, &s->walls, f, first, h2, false, NULL);
         at->walls = sph2d__pairs_write(n, to, s->walls.count);
         sum_slots(n, at->begin + (size_t)at->fluid * SPH2D__LANES, at->walls, &w, kernel, &sum);
-        if (s->walls_rough && s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN)
-            gradient_by_walls(s, at, &sum);
     }
     if (limited)
         finish_gradient(f, first, &sum.gradient, s->rest_density);

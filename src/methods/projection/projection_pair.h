@@ -60,7 +60,7 @@ SPH2D__INLINE sph2d__float2 gather_pair(slice *sum, const weights *w, sph2d_kern
 /** Acceleration without pressure of the particle in lane l of a slice. */
 SPH2D__INLINE void finish_acceleration(sph2d__system *s, size_t i, const slice *sum, int l)
 {
-    double drag = s->implicit.on ? 0 : 2 * (s->viscosity / s->rest_density);
+    double drag = 2 * (s->viscosity / s->rest_density);
     double ax = drag * sum->drag.x[l], ay = drag * sum->drag.y[l];
     sph2d__forces_add(&s->forces, (sph2d__place){sum->x[l], sum->y[l], sum->vx[l], sum->vy[l]}, &ax, &ay);
     s->fluid.ax[i] = ax;
