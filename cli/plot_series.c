@@ -53,14 +53,16 @@ static bool is_series(const char *header)
 /* Splits a header into the columns after the time; false when memory is short. */
 static bool split(plot_series *s, char *header)
 {
+    size_t most = 1;
+    for (const char *comma = header; (comma = strchr(comma, ',')); ++comma)
+        ++most;
+    s->columns = calloc(most, sizeof *s->columns);
+    if (!s->columns)
+        return false;
     char *rest = NULL;
     for (char *label = strtok_r(header + strlen(time_column) + 1, ",", &rest); label;
          label = strtok_r(NULL, ",", &rest)) {
-        plot_column *grown = realloc(s->columns, (s->column_count + 1) * sizeof *grown);
-        if (!grown)
-            return false;
-        s->columns = grown;
-        plot_column *c = &grown[s->column_count++];
+        plot_column *c = &s->columns[s->column_count++];
         *c = (plot_column){.label = strdup(label), .name = strdup(label)};
         if (!c->label || !c->name)
             return false;

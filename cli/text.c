@@ -207,6 +207,6 @@ char *text_word(char out[TEXT_WORD_SIZE], const char *path)
         const bool ends = *path == '\'' && *quote == '\'';
         n += (size_t)(ends ? sprintf(out + n, "'\\''") : sprintf(out + n, "%c", *path));
     }
-    strcpy(out + n, quote);
+    memcpy(out + n, quote, strlen(quote) + 1);
     return out;
 }

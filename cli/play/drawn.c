@@ -88,7 +88,7 @@ sph2d_obstacle *drawn_list(sph2d_scene *scene, size_t given, size_t from, size_t
         if (k < given)
             continue;
         sph2d_points *points = &wall->outline.polyline;
-        if (k >= scene->obstacle_count) {
+        if (line && k >= scene->obstacle_count) {
             const size_t *start = &line->start[k - scene->obstacle_count];
             wall->outline.kind = SPH2D_OUTLINE_POLYLINE;
             wall->liquid = SPH2D_LIQUID_BOTH;

@@ -146,21 +146,104 @@ static void pick(game *g, hand_tool tool)
     game_tell(g, "tool: %s", hand_name(tool));
 }
 
-void game_key(game *g, int key)
+static bool tool_key(game *g, int key)
 {
     switch (key) {
     case 'P':
         pick(g, HAND_PULL);
-        break;
+        return true;
     case 'O':
         pick(g, HAND_POUR);
-        break;
+        return true;
     case 'E':
         pick(g, HAND_WIPE);
-        break;
+        return true;
     case 'W':
         pick(g, HAND_WALL);
-        break;
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* What the liquid is and what pulls it. */
+static bool liquid_key(game *g, int key)
+{
+    switch (key) {
+    case PLAY_KEY_LEFT:
+        turn_gravity(g, -1, 0);
+        return true;
+    case PLAY_KEY_RIGHT:
+        turn_gravity(g, 1, 0);
+        return true;
+    case PLAY_KEY_UP:
+        turn_gravity(g, 0, 1);
+        return true;
+    case PLAY_KEY_DOWN:
+        turn_gravity(g, 0, -1);
+        return true;
+    case '0':
+        turn_gravity(g, 0, 0);
+        return true;
+    case 'V':
+        scale(g, GAME_VISCOSITY, 2, LEAST_VISCOSITY);
+        return true;
+    case 'B':
+        scale(g, GAME_VISCOSITY, 0.5, LEAST_VISCOSITY);
+        return true;
+    case 'T':
+        scale(g, GAME_TENSION, 2, LEAST_TENSION);
+        return true;
+    case 'Y':
+        scale(g, GAME_TENSION, 0.5, LEAST_TENSION);
+        return true;
+    case 'K':
+        scale(g, GAME_COMPRESSION, 0.5, 0);
+        return true;
+    case 'L':
+        scale(g, GAME_COMPRESSION, 2, 0);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static bool look_key(game *g, int key)
+{
+    sph2d_frames *frames = &g->style.frames;
+    switch (key) {
+    case 'M':
+        frames->style = frames->style == SPH2D_STYLE_POINTS ? SPH2D_STYLE_METABALLS : SPH2D_STYLE_POINTS;
+        return true;
+    case 'N':
+        next_look(g);
+        return true;
+    case 'X':
+        switch_lines(g, &frames->arrows);
+        return true;
+#ifndef SPH2D__SMALL
+    case 'Z':
+        switch_lines(g, &frames->streamlines);
+        return true;
+#endif
+    case 'I':
+        switch_isolines(g);
+        return true;
+    case 'C':
+        next_color(g);
+        return true;
+    case 'H':
+        g->help = !g->help;
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* The clock, and what is kept. */
+static void run_key(game *g, int key)
+{
+    switch (key) {
     case ' ':
         g->paused = !g->paused;
         break;
@@ -173,60 +256,6 @@ void game_key(game *g, int key)
         break;
     case '-':
         scale(g, GAME_RATE, 0.5, 0);
-        break;
-    case PLAY_KEY_LEFT:
-        turn_gravity(g, -1, 0);
-        break;
-    case PLAY_KEY_RIGHT:
-        turn_gravity(g, 1, 0);
-        break;
-    case PLAY_KEY_UP:
-        turn_gravity(g, 0, 1);
-        break;
-    case PLAY_KEY_DOWN:
-        turn_gravity(g, 0, -1);
-        break;
-    case '0':
-        turn_gravity(g, 0, 0);
-        break;
-    case 'V':
-        scale(g, GAME_VISCOSITY, 2, LEAST_VISCOSITY);
-        break;
-    case 'B':
-        scale(g, GAME_VISCOSITY, 0.5, LEAST_VISCOSITY);
-        break;
-    case 'T':
-        scale(g, GAME_TENSION, 2, LEAST_TENSION);
-        break;
-    case 'Y':
-        scale(g, GAME_TENSION, 0.5, LEAST_TENSION);
-        break;
-    case 'K':
-        scale(g, GAME_COMPRESSION, 0.5, 0);
-        break;
-    case 'L':
-        scale(g, GAME_COMPRESSION, 2, 0);
-        break;
-    case 'M':
-        g->style.frames.style =
-            g->style.frames.style == SPH2D_STYLE_POINTS ? SPH2D_STYLE_METABALLS : SPH2D_STYLE_POINTS;
-        break;
-    case 'N':
-        next_look(g);
-        break;
-    case 'X':
-        switch_lines(g, &g->style.frames.arrows);
-        break;
-#ifndef SPH2D__SMALL
-    case 'Z':
-        switch_lines(g, &g->style.frames.streamlines);
-        break;
-#endif
-    case 'I':
-        switch_isolines(g);
-        break;
-    case 'C':
-        next_color(g);
         break;
     case 'U':
         game_undo(g);
@@ -243,9 +272,6 @@ void game_key(game *g, int key)
     case 'F':
         game_film(g);
         break;
-    case 'H':
-        g->help = !g->help;
-        break;
     case 'Q':
     case PLAY_KEY_ESCAPE:
         g->quits = true;
@@ -255,4 +281,10 @@ void game_key(game *g, int key)
             open_number(g, (size_t)(key - '1'));
         break;
     }
+}
+
+void game_key(game *g, int key)
+{
+    if (!tool_key(g, key) && !liquid_key(g, key) && !look_key(g, key))
+        run_key(g, key);
 }

@@ -114,7 +114,8 @@ static sph2d_status read_start(sph2d_scene *scene, size_t i, const char *from, s
     size_t first = report ? report->count : 0;
     sph2d_status status = start->table.file ? sph2d__grid_read(&start->table, path, pool, report)
                                             : read_snapshot(scene, start, path, pool, report);
-    strcat(key, start->table.file ? ".table" : ".snapshot");
+    const size_t used = strlen(key);
+    snprintf(key + used, sizeof key - used, "%s", start->table.file ? ".table" : ".snapshot");
     sph2d__report_key(report, first, key);
     if (status == SPH2D_OK)
         set_top_speed(start);

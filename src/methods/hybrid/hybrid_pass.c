@@ -25,7 +25,7 @@ SPH2D__INLINE sph2d__lanes value_sum(const sph2d__store *of, const sph2d__group 
                                      const rows *from, const sph2d__real *weight, sph2d__real unit)
 {
     sph2d__lanes sum = {0};
-    for (int r = 0; r < ranges->count; ++r) {
+    for (int r = 0; from->x && r < ranges->count; ++r) {
         const sph2d__lanes x = sph2d__group_lanes(of->x + g->first, ranges->x[r]);
         const sph2d__lanes y = sph2d__group_lanes(of->y + g->first, ranges->y[r]);
         for (size_t j = ranges->begin[r]; j < ranges->end[r]; ++j) {
@@ -146,6 +146,8 @@ static void order(sph2d__system *s, size_t first, size_t last)
     const rows fluid = rows_of(f), walls = rows_of(&s->walls);
     const sph2d__real unit = (sph2d__real)(1 / s->support);
     const double gradient = s->lattice_slopes;
+    if (!fluid.x || !fluid.first || !fluid.second) /* there are no particles */
+        return;
     const sph2d__grouping by = sph2d__grouping_of(f, &s->fluid_cells, s->walls.count > 0 ? &s->wall_cells : NULL);
     SPH2D__FOR_GROUPS (&by, g, first, last) {
         sph2d__ranges ranges;

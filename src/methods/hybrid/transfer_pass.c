@@ -276,7 +276,7 @@ static void move(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     const sph2d__grid *g = sim->system.grid;
     const sph2d__store *f = &sim->system.fluid;
-    taken t;
+    taken t = {0};
     memcpy(w->vx, f->vx + w->first, w->count * sizeof *w->vx);
     memcpy(w->vy, f->vy + w->first, w->count * sizeof *w->vy);
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {

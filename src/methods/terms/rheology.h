@@ -20,8 +20,8 @@
 
 #include "methods/common/system.h"
 
-/** The viscosity at a shear rate [1/s], >= 0, in [Pa s]; the regularisation of the liquid is known. */
-double sph2d__rheology_viscosity(const sph2d_fluid *fluid, double shear_rate);
+/** The viscosity at a shear rate g [1/s], >= 0, in [Pa s]; the regularisation of the liquid is known. */
+double sph2d__rheology_viscosity(const sph2d_fluid *fluid, double g);
 
 /** Sets the viscosities of particles by their shear rates, and the largest of them as the system's. Nothing for liquids
  *  with one viscosity. False when memory is short. */
