@@ -121,14 +121,12 @@ static void relax_some(sph2d__system *s, size_t first, size_t last)
         z->summed[i] *= part / sph2d__density_ratio(s->fluid.excess[i]);
 }
 
-/** What friction takes of particle i, which had velocity v, in the step: where the liquid is thick by v* (thick.c) [J/kg]. */
+/** What friction takes of particle i, which had velocity v, in the step [J/kg]. Where the liquid is thick, of the flow that it
+ *  had: what relaxation itself drives takes friction as the square of it, and cannot pay for it. */
 static double rubbed(const sph2d__frozen *z, size_t i, double vx, double vy)
 {
-    const double dt = z->dt, x = z->rubbed_x[i], y = z->rubbed_y[i];
-    if (!z->thick)
-        return -dt * (x * (vx + dt / 2 * x) + y * (vy + dt / 2 * y));
-    const double tx = z->thick_x[i], ty = z->thick_y[i], ux = tx - vx, uy = ty - vy;
-    return (ux * ux + uy * uy) / 2 - dt * (x * tx + y * ty);
+    const double x = z->rubbed_x[i], y = z->rubbed_y[i], late = z->thick ? 0 : z->dt / 2;
+    return -z->dt * (x * (vx + late * x) + y * (vy + late * y));
 }
 
 /** Sums up what it costs by the pressures that were found, what damping takes with them, and friction [J/m]. */
