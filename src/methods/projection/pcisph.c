@@ -7,8 +7,9 @@
  *      r = rho+/rho0 - 1 - z/(c0 dt)^2
  *      y <- max(0, z + w r/(2 sum |G|^2)),  z = max(0, y + b (y - last y))
  *
- *  until the largest |r| where z > 0 or r > 0 is at most max_compression, three times at least (their min_iterations). The sum is that of a filled lattice, for all particles (their prototype): 1/(2 sum |G|^2) is delta of their
- *  eq. 8 in the units of y. Beyond the paper:
+ *  until the largest |r| where z > 0 or r > 0 is at most max_compression, three times at least (their minIterations). The
+ *  sum is that of a filled lattice, for all particles (their prototype): 1/(2 sum |G|^2) is delta of their eq. 8 in the
+ *  units of y. Beyond the paper:
  *  - A relaxation w < 1, halved where r grows: unrelaxed the loop diverges for wide kernels and where particles are
  *    disordered.
  *  - Going ahead by b of the last way, starting anew where that goes too far (Nesterov 1983; O'Donoghue & Candes 2015,
