@@ -452,6 +452,7 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	    grep -q "$$f(" tests/test_null*.c || { echo "tests/test_null.c lacks $$f"; exit 1; }; done
 	$(first_stage)
 	$(if $(SANITIZE),,$(call stage,tests/symbols.sh $(BUILD)/libsph2d.so $(OPENMP)))
+	$(call stage,tests/circles.sh $(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(CLI_OBJ))
 	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all)
 	$(if $(and $(SANITIZE),$(CLANG)),,$(call stage,SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
 	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD)))

@@ -6,7 +6,7 @@
 #include <string.h>
 
 const cli_command commands[CLI_COMMAND_COUNT] = {
-#define COMMAND_ROW(name, NAME, operands, text) {#name, operands, text, CLI_##NAME, command_##name},
+#define COMMAND_ROW(name, NAME, operands, text) {#name, operands, text, CLI_##NAME},
     CLI_COMMAND_MAP(COMMAND_ROW)
 #undef COMMAND_ROW
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file command.h
- *  The table of subcommands, used for dispatch, help, suggestions and options. */
+ *  The table of subcommands, used for dispatch, help, suggestions and options; what each does is in a file of its name. */
 #ifndef SPH2D_CLI_COMMAND_H
 #define SPH2D_CLI_COMMAND_H
 
@@ -40,7 +40,6 @@ enum {
 typedef struct cli_command {
     const char *name, *operands, *text;
     unsigned bit;
-    int (*run)(const cli_options *options); /**< returns the exit code */
 } cli_command;
 
 /** The table; CLI_COMMAND_COUNT rows. */
@@ -49,6 +48,7 @@ extern const cli_command commands[];
 /** The command of that name, or NULL. */
 const cli_command *command_find(const char *name);
 
+/** What a command does; returns the exit code. */
 #define CLI__COMMAND_ACT(name, NAME, operands, text) int command_##name(const cli_options *options);
 CLI_COMMAND_MAP(CLI__COMMAND_ACT)
 #undef CLI__COMMAND_ACT

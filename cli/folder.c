@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file folder.c
- *  The output folder: it is made, locked and opened. */
+ *  The output folder: it is made, locked, opened, and cleared of what an earlier run or study left. */
 #include "folder.h"
 
 #include <ctype.h>
@@ -18,7 +18,6 @@
 #include <unistd.h>
 
 #include "exit.h"
-#include "folder_parts.h"
 #include "made_folders.h"
 #include "message.h"
 
@@ -37,7 +36,8 @@ bool folder_numbered(const char *name, const char *prefix, const char *suffix, u
     return true;
 }
 
-bool folder_is_leftover(const char *name)
+/* A temporary file of a process that was killed. */
+static bool is_leftover(const char *name)
 {
     const char *mark = name[0] == '.' ? strstr(name, ".tmp.") : NULL;
     if (!mark || !isdigit((unsigned char)mark[5]))
@@ -73,13 +73,13 @@ const char *folder_file(cli_folder *f, const char *format, ...)
 
 /* ---- opening ----------------------------------------------------------------------------------------------------- */
 
-int folder_refuse(const char *path, const char *what, int error)
+static int refuse(const char *path, const char *what, int error)
 {
     message_error(SPH2D_CODE_FILE_WRITE, NULL, "cannot %s '%s': %s", what, path, strerror(error));
     return CLI_EXIT_CANTCREAT;
 }
 
-int folder_refuse_memory(void)
+static int refuse_memory(void)
 {
     message_error(SPH2D_CODE_GENERAL, NULL, "out of memory");
     return CLI_EXIT_SOFTWARE;
@@ -94,8 +94,7 @@ static int holds_nothing(const char *path, const char *name, bool *nothing)
     const struct dirent *entry;
     *nothing = true;
     while (*nothing && (entry = readdir(listing)))
-        *nothing =
-            is_dot(entry->d_name) || (name && (strcmp(entry->d_name, name) == 0 || folder_is_leftover(entry->d_name)));
+        *nothing = is_dot(entry->d_name) || (name && (strcmp(entry->d_name, name) == 0 || is_leftover(entry->d_name)));
     closedir(listing);
     return 0;
 }
@@ -154,7 +153,7 @@ static int make_locked(cli_folder *f)
         f->lock = -1;
         error = ENOENT;
     }
-    return error == ENOMEM ? folder_refuse_memory() : folder_refuse(f->path, "make the folder", error);
+    return error == ENOMEM ? refuse_memory() : refuse(f->path, "make the folder", error);
 }
 
 /* Signals wait until a folder is made and locked, as only then it may be removed; one that is shared is never. */
@@ -192,7 +191,7 @@ static int check_content(cli_folder *f, bool force, const char *own)
     bool empty = true;
     int error = holds_nothing(f->path, NULL, &empty);
     if (error != 0)
-        return folder_refuse(f->path, "read the folder", error);
+        return refuse(f->path, "read the folder", error);
     bool mine = own && ((f->shared && is_begun(f, own)) || folder_holds(f->path, own));
     if (!empty && !force && !mine) {
         message_error(SPH2D_CODE_FILE_EXISTS, "choose another with -o, or add --force to replace the outputs in it",
@@ -200,7 +199,7 @@ static int check_content(cli_folder *f, bool force, const char *own)
         return CLI_EXIT_CANTCREAT;
     }
     if (access(f->path, W_OK | X_OK) != 0)
-        return folder_refuse(f->path, "write to", errno);
+        return refuse(f->path, "write to", errno);
     return CLI_EXIT_SUCCESS;
 }
 
@@ -228,6 +227,118 @@ int folder_share(cli_folder *f, const char *path, bool force, const char *own)
     return take(f, force, own);
 }
 
+/* ---- clearing ----------------------------------------------------------------------------------------------------- */
+
+static bool ends_with(const char *name, const char *end)
+{
+    size_t length = strlen(name), tail = strlen(end);
+    return length > tail && strcmp(name + length - tail, end) == 0;
+}
+
+/* Files that a study rewrites each time. Its rows are kept, and study.yaml, which users edit. */
+static bool is_of_study(const char *name)
+{
+    static const char *const files[] = {"study.csv",      "study.html",      "plots.gp",
+                                        "plots.dat",      "cheapest.yaml",   "error_time.svg",
+                                        "error_time.png", "error_along.svg", "error_along.png"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; ++i)
+        if (strcmp(name, files[i]) == 0)
+            return true;
+    return strncmp(name, "series_", 7) == 0 && isdigit((unsigned char)name[7]) && ends_with(name, ".csv");
+}
+
+static bool is_cleared(const char *name, folder_clearing clearing)
+{
+    uint64_t number;
+    if (clearing == FOLDER_KEEP)
+        return false;
+    if (clearing == FOLDER_CLEAR_STUDY)
+        return is_of_study(name);
+    if (folder_numbered(name, "frame_", ".png", &number))
+        return true;
+    return clearing == FOLDER_CLEAR_RUN &&
+           (folder_numbered(name, "snapshot_", ".h5", &number) || strcmp(name, "checkpoint.h5") == 0 ||
+            strcmp(name, "guard.h5") == 0 || strcmp(name, "plot.svg") == 0);
+}
+
+/* What to remove from a folder. */
+typedef struct cleaning {
+    folder_clearing clearing;
+    bool old;                                    /* of leftovers only those that nobody can be writing any more */
+    bool (*stays)(void *user, const char *name); /* files that stay all the same; NULL: none */
+    void *user;
+} cleaning;
+
+/* Whether a file was last changed a day ago, so that clocks of several machines need not agree. */
+static bool is_old(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && difftime(time(NULL), status.st_mtime) > 24 * 60 * 60;
+}
+
+/* Removes leftovers, and selected files, from one folder; `inside` is "" or ends in a slash. What another process has
+ * removed meanwhile is gone as well. */
+static int clean_listing(cli_folder *f, DIR *listing, const char *inside, const cleaning *c, size_t *leftovers)
+{
+    const struct dirent *entry;
+    while ((entry = readdir(listing))) {
+        const char *name = entry->d_name;
+        bool leftover = is_leftover(name);
+        if (!leftover && (!is_cleared(name, c->clearing) || (c->stays && c->stays(c->user, name))))
+            continue;
+        const char *path = folder_file(f, "%s%s", inside, name);
+        if (!path)
+            return refuse_memory();
+        if (leftover && c->old && !is_old(path))
+            continue;
+        if (unlink(path) == 0)
+            *leftovers += leftover;
+        else if (errno != ENOENT)
+            return refuse(path, "remove", errno);
+    }
+    return CLI_EXIT_SUCCESS;
+}
+
+static int clean(cli_folder *f, const char *inside, const cleaning *c)
+{
+    const char *path = folder_file(f, "%s", inside);
+    if (!path)
+        return refuse_memory();
+    DIR *listing = opendir(path);
+    if (!listing)
+        return errno == ENOENT ? CLI_EXIT_SUCCESS : refuse(path, "read the folder", errno);
+    size_t leftovers = 0;
+    int code = clean_listing(f, listing, inside, c, &leftovers);
+    closedir(listing);
+    if (leftovers > 0)
+        message_note("removed %zu unfinished file%s of an earlier run from '%s/%s'", leftovers,
+                     leftovers == 1 ? "" : "s", f->path, inside);
+    return code;
+}
+
+int folder_clear(cli_folder *f, folder_clearing clearing)
+{
+    /* The results of a study are kept until there are new ones. The frames of a run and the rows of a study are in
+     * subfolders. */
+    bool study = clearing == FOLDER_CLEAR_STUDY;
+    cleaning c = {.clearing = study ? FOLDER_KEEP : clearing, .old = study};
+    int code = clean(f, "", &c);
+    if (code == CLI_EXIT_SUCCESS && clearing != FOLDER_CLEAR_FRAMES)
+        code = clean(f, study ? "rows/" : "frames/", &c);
+    if (code == CLI_EXIT_SUCCESS && clearing == FOLDER_CLEAR_RUN) {
+        /* The empty frames folder of an earlier run; it stays if it contains other files. */
+        const char *frames = folder_file(f, "frames");
+        if (frames)
+            rmdir(frames);
+    }
+    return code;
+}
+
+int folder_clear_study(cli_folder *f, bool (*stays)(void *user, const char *name), void *user)
+{
+    return clean(f, "", &(cleaning){FOLDER_CLEAR_STUDY, true, stays, user});
+}
+
 /* ---- looking ----------------------------------------------------------------------------------------------------- */
 
 int folder_reopen(cli_folder *f, const char *path)
@@ -240,7 +351,7 @@ int folder_reopen(cli_folder *f, const char *path)
     }
     *f = (cli_folder){path, open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC), NULL, false};
     if (f->lock < 0)
-        return folder_refuse(path, "open the folder", errno);
+        return refuse(path, "open the folder", errno);
     int code = lock_folder(f);
     return code == CLI_EXIT_SUCCESS ? folder_clear(f, FOLDER_KEEP) : code;
 }
@@ -278,13 +389,13 @@ int folder_make_inside(cli_folder *f, const char *name)
 {
     const char *path = folder_file(f, "%s", name);
     if (!path)
-        return folder_refuse_memory();
+        return refuse_memory();
     sigset_t before = hold_signals();
     int error = made_folders_make(path);
     release_signals(f, before);
     if (error == ENOMEM)
-        return folder_refuse_memory();
-    return error != 0 ? folder_refuse(path, "make the folder", error) : CLI_EXIT_SUCCESS;
+        return refuse_memory();
+    return error != 0 ? refuse(path, "make the folder", error) : CLI_EXIT_SUCCESS;
 }
 
 void folder_close(cli_folder *f)

@@ -50,6 +50,12 @@ static void unknown_command(const char *word)
         message_usage(NULL, "unknown command '%s'", word);
 }
 
+static int (*const act[CLI_COMMAND_COUNT])(const cli_options *options) = {
+#define COMMAND_ACT(name, NAME, operands, text) command_##name,
+    CLI_COMMAND_MAP(COMMAND_ACT)
+#undef COMMAND_ACT
+};
+
 static int run_command(const cli_command *command, int argc, char **argv)
 {
     cli_options options;
@@ -61,7 +67,7 @@ static int run_command(const cli_command *command, int argc, char **argv)
     else if (options.version)
         help_print_version(options.json);
     else
-        code = command->run(&options);
+        code = act[command - commands](&options);
     options_free(&options);
     return code;
 }

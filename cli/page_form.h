@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file page_form.h
- *  The forms that the pages of keys come in: Markdown (pages_markdown.c) and mdoc (pages_manual.c). pages.c walks over the
+ *  The forms that the pages of keys come in: Markdown and mdoc (page_forms.c). pages.c walks over the
  *  keys and tells a form what it meets; the form prints it to stdout. */
 #ifndef SPH2D_CLI_PAGE_FORM_H
 #define SPH2D_CLI_PAGE_FORM_H
@@ -39,8 +39,5 @@ typedef struct page_form {
 } page_form;
 
 extern const page_form page_markdown, page_manual;
-
-/** Starts a sentence with a capital letter, unless with a symbol or a word of scene files. */
-void page_capitalise(char *text);
 
 #endif

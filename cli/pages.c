@@ -4,7 +4,6 @@
  *  as Markdown or in mdoc. */
 #include "pages.h"
 
-#include <ctype.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -15,15 +14,6 @@
 #include "page_form.h"
 #include "parse.h"
 #include "text.h"
-
-void page_capitalise(char *text)
-{
-    size_t length = strcspn(text, " ,;:.");
-    for (size_t i = 0; i < length; ++i)
-        if ((length == 1 && text[0] != 'a') || !isalpha((unsigned char)text[i]))
-            return;
-    text[0] = (char)toupper((unsigned char)text[0]);
-}
 
 /* ---- keys -------------------------------------------------------------------------------------------------------- */
 

@@ -82,6 +82,12 @@ static sph2d_status find_of_other_kind(cli_study *s, sph2d_study_row *row, const
     return memory ? SPH2D_OK : SPH2D_NOMEM;
 }
 
+bool study_owns(const cli_study *s, const sph2d_study_row *row)
+{
+    uint64_t shards = (uint64_t)s->options->shards;
+    return shards == 0 || (row->number - 1) % shards + 1 == (uint64_t)s->options->shard;
+}
+
 int study_find(cli_study *s, sph2d_study_row *row)
 {
     if (!s->options->output)

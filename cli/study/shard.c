@@ -11,12 +11,6 @@
 #include "../message.h"
 #include "../text.h"
 
-bool study_owns(const cli_study *s, const sph2d_study_row *row)
-{
-    uint64_t shards = (uint64_t)s->options->shards;
-    return shards == 0 || (row->number - 1) % shards + 1 == (uint64_t)s->options->shard;
-}
-
 /* Whether a row that is wanted is none that others find: of its own only those that ended well are kept. */
 static bool is_missing(const sph2d_study_row *row)
 {

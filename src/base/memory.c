@@ -56,6 +56,18 @@ bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t
     return true;
 }
 
+bool sph2d__room_for_one(sph2d__memory *memory, void **list, size_t count, size_t *room, size_t size)
+{
+    enum { FIRST = 64 };
+    if (count < *room)
+        return true;
+    size_t more = *room > 0 ? 2 * *room : FIRST;
+    if (!sph2d__resize(memory, list, *room, more, size))
+        return false;
+    *room = more;
+    return true;
+}
+
 void *sph2d__alloc(sph2d__memory *memory, size_t count, size_t size)
 {
     void *block = NULL;

@@ -146,7 +146,4 @@ sph2d_status sph2d__find_groups(sph2d__contacts *c, sph2d__groups *groups);
 /** Changes the velocities of the bodies by the impulses of all contacts, and adds the work of walls by these. */
 sph2d_status sph2d__relax(sph2d__contacts *c, const sph2d__groups *groups);
 
-/** Grows a list to have room for one more item; false when memory is short. */
-bool sph2d__room_for_one(sph2d__contacts *c, void **list, size_t count, size_t *room, size_t size);
-
 #endif

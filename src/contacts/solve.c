@@ -10,17 +10,6 @@
  * overlap; and distances are those of bodies apart, of which Chipmunk knows the normals best. */
 #define CLEARANCE 0.2
 
-bool sph2d__room_for_one(sph2d__contacts *c, void **list, size_t count, size_t *room, size_t size)
-{
-    if (count < *room)
-        return true;
-    size_t more = *room > 0 ? 2 * *room : 64;
-    if (!sph2d__resize(&c->memory, list, *room, more, size))
-        return false;
-    *room = more;
-    return true;
-}
-
 static bool all_finite(const sph2d__contacts *c)
 {
     for (uint32_t i = 0; i < c->body_count; ++i) {

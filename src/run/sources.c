@@ -10,6 +10,7 @@
 #include "methods/terms/tension.h"
 #include "run/run.h"
 #include "scene/derive.h"
+#include "scene/resolve.h"
 #include "scene/shape.h"
 #include "sim/stages.h"
 

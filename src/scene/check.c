@@ -96,15 +96,6 @@ static void check_times(checker *c, const char *list, size_t index, double start
                            "must be later than start");
 }
 
-void sph2d__check_rate(checker *c, sph2d_rate rate, const char *prefix)
-{
-    if (rate.per_second > 0 && rate.every > 0) {
-        char path[PATH_SIZE];
-        snprintf(path, sizeof path, "%s.every", prefix);
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "give per_second or every, not both");
-    }
-}
-
 static void check_block(checker *c, size_t i)
 {
     const sph2d_block *block = &c->scene->blocks[i];

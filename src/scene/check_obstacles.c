@@ -11,9 +11,28 @@
 #include "scene/method_table.h"
 #include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/wall_names.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
+
+/** Checks the name of an obstacle. */
+static void check_wall_name(checker *c, size_t i)
+{
+    const sph2d_scene *scene = c->scene;
+    const char *name = scene->obstacles[i].name;
+    char path[PATH_SIZE];
+    if (!name)
+        return;
+    sph2d__check_wall_path(c, path, i, ".name");
+    int wall = sph2d__wall_named(scene, name);
+    if (!sph2d__check_name(name))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
+    else if (wall < SPH2D__WALL_OBSTACLE)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is the name of a side of the domain");
+    else if (wall != SPH2D__WALL_OBSTACLE + (int)i)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another obstacle or body has this name");
+}
 
 static void check_points_inside(checker *c, sph2d_points points, const char *path)
 {
@@ -69,7 +88,7 @@ static void check_obstacle(checker *c, size_t i)
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     const sph2d_outline *outline = &obstacle->outline;
     char path[PATH_SIZE];
-    sph2d__check_wall_name(c, i);
+    check_wall_name(c, i);
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".form"),
                                                  "only sides of the domain can be springs");

@@ -17,15 +17,6 @@
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
 
-bool sph2d__check_name(const char *name)
-{
-    size_t length = strlen(name);
-    for (size_t i = 0; i < length; ++i)
-        if (!isalnum((unsigned char)name[i]) && name[i] != '_' && name[i] != '-')
-            return false;
-    return length > 0 && length <= 64;
-}
-
 /** Whether a probe's position, if its kind uses it, lies in the domain; of an elevation only x matters. */
 static bool is_valid_position(const sph2d_scene *scene, const sph2d_probe *probe)
 {
@@ -181,21 +172,4 @@ void sph2d__check_probe(checker *c, size_t i)
         sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
     else
         check_gauge(c, probe, i);
-}
-
-void sph2d__check_wall_name(checker *c, size_t i)
-{
-    const sph2d_scene *scene = c->scene;
-    const char *name = scene->obstacles[i].name;
-    char path[PATH_SIZE];
-    if (!name)
-        return;
-    sph2d__check_wall_path(c, path, i, ".name");
-    int wall = sph2d__wall_named(scene, name);
-    if (!sph2d__check_name(name))
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
-    else if (wall < SPH2D__WALL_OBSTACLE)
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is the name of a side of the domain");
-    else if (wall != SPH2D__WALL_OBSTACLE + (int)i)
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another obstacle or body has this name");
 }

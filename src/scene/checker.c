@@ -3,8 +3,10 @@
  *  Functions that the parts of the scene checker share. */
 #include "scene/checker.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "scene/bodies.h"
 #include "scene/outline.h"
@@ -110,4 +112,22 @@ void sph2d__check_times(sph2d__checker *c, const double *times, size_t count, si
             sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "times must increase from point to point");
             break;
         }
+}
+
+void sph2d__check_rate(sph2d__checker *c, sph2d_rate rate, const char *prefix)
+{
+    if (rate.per_second > 0 && rate.every > 0) {
+        char path[SPH2D__PATH_SIZE];
+        snprintf(path, sizeof path, "%s.every", prefix);
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "give per_second or every, not both");
+    }
+}
+
+bool sph2d__check_name(const char *name)
+{
+    size_t length = strlen(name);
+    for (size_t i = 0; i < length; ++i)
+        if (!isalnum((unsigned char)name[i]) && name[i] != '_' && name[i] != '-')
+            return false;
+    return length > 0 && length <= 64;
 }

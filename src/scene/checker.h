@@ -59,9 +59,6 @@ void sph2d__check_frames(sph2d__checker *c);
 /** Whether a name is one: 1 to 64 letters, digits, _ or -. */
 bool sph2d__check_name(const char *name);
 
-/** Checks the name of obstacle `index`. */
-void sph2d__check_wall_name(sph2d__checker *c, size_t index);
-
 /** Checks every obstacle, and the side of its liquid. */
 void sph2d__check_obstacles(sph2d__checker *c);
 

@@ -20,9 +20,6 @@
 #include "scene/shape.h"
 #include "scene/start.h"
 
-/* Liquid released at rest density oscillates up to twice its static compression. */
-static const double OVERSHOOT = 2;
-
 /** Largest distance of a shape's corners from a point. */
 static double farthest(const sph2d_shape *shape, sph2d_vec2 c)
 {
@@ -136,14 +133,6 @@ static void add_springs(const sph2d_scene *scene, sph2d__derived *d)
     d->spring_head = (d->speed * d->speed - speed * speed) / 2;
 }
 
-double sph2d__scene_reach(const sph2d_scene *scene)
-{
-    double support = sph2d__method_resolve(scene->method).support_ratio;
-    if (scene->method.name == SPH2D_METHOD_HYBRID)
-        support += 2 * sqrt(2) * SPH2D__APART; /* two places, each moved along both axes */
-    return fmax(support, scene->fluid.surface_tension > 0 ? 2 * SPH2D__OUTER_RADIUS : 0) * scene->spacing;
-}
-
 sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
 {
     sph2d__derived d = {0};
@@ -184,10 +173,10 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     d.stiffness_part = row->stiffness_part ? row->stiffness_part(d.support_radius, scene->spacing) : 1;
     d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(d.stiffness_part * method.stiffness);
     if (!(d.sound_speed > 0))
-        d.sound_speed = fmax(sqrt(OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
+        d.sound_speed = fmax(sqrt(SPH2D__OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
     bool unread = scene->particles.file && !scene->particles.items;
     if (unread || sph2d__starts_from_snapshot(scene)) /* what liquid it is, a resumed run does not know */
-        d.head = fmax(d.head, d.soft_compression * d.sound_speed * d.sound_speed / OVERSHOOT);
+        d.head = fmax(d.head, d.soft_compression * d.sound_speed * d.sound_speed / SPH2D__OVERSHOOT);
     return d;
 }
 
@@ -236,7 +225,7 @@ double sph2d__gauge_rise_time(const sph2d_scene *scene)
     if (!(d.gravity > 0 && d.sound_speed > 0))
         return 0;
     /* What liquid a file has, a resumed run does not know: its height is the one that the sound speed is for. */
-    const double head = d.soft_compression * d.sound_speed * d.sound_speed / OVERSHOOT;
+    const double head = d.soft_compression * d.sound_speed * d.sound_speed / SPH2D__OVERSHOOT;
     const bool from_file = scene->particles.file || sph2d__starts_from_snapshot(scene);
     return 4 * (from_file ? head / d.gravity : d.height) / d.sound_speed;
 }

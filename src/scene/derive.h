@@ -6,10 +6,8 @@
 
 #include "sph2d/scene.h"
 
-/* Inner and outer radius of the band of surface tension (methods/terms/tension.h), in spacings from the particles.
- * Flowing liquid has no voids of the inner radius; with an outer radius of 1.5 a drop oscillates 1 % too slowly, with 2
- * by 0.1 %. */
-static const double SPH2D__INNER_RADIUS = 1, SPH2D__OUTER_RADIUS = 2;
+/* Liquid released at rest density oscillates up to twice its static compression. */
+static const double SPH2D__OVERSHOOT = 2;
 
 /** The derived parameters. */
 typedef struct sph2d__derived {
@@ -30,9 +28,6 @@ typedef struct sph2d__derived {
     double stiffness_part;   /**< c0^2 over the stiffness k: 1, for muller the factor of its pair force */
     double sound_speed;      /**< c0 [m/s]; 0 when neither head nor stiffness gives one */
 } sph2d__derived;
-
-/** Search radius: H, with surface tension at least two outer radii of its band [m]. */
-double sph2d__scene_reach(const sph2d_scene *scene);
 
 /** The pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the static compression is
  *  head / c0^2, and twice that in the oscillation after a release at rest density: c0^2 = 2 head / max_compression, for

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "scene/bodies.h"
-#include "scene/derive.h"
 #include "scene/opening_profile.h"
+#include "scene/resolve.h"
 #include "scene/wall_names.h"
 
 static bool is_vertical(sph2d_side_name side)

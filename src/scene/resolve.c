@@ -3,6 +3,8 @@
  *  Defaults that depend on the method. */
 #include "scene/resolve.h"
 
+#include <math.h>
+
 #include "scene/bodies.h"
 #include "scene/method_table.h"
 #include "scene/wall_names.h"
@@ -113,4 +115,12 @@ double sph2d__period_x(const sph2d_scene *scene)
 double sph2d__period_y(const sph2d_scene *scene)
 {
     return scene->boundary.bottom == SPH2D_SIDE_PERIODIC ? scene->domain.max.y - scene->domain.min.y : 0;
+}
+
+double sph2d__scene_reach(const sph2d_scene *scene)
+{
+    double support = sph2d__method_resolve(scene->method).support_ratio;
+    if (scene->method.name == SPH2D_METHOD_HYBRID)
+        support += 2 * sqrt(2) * SPH2D__APART; /* two places, each moved along both axes */
+    return fmax(support, scene->fluid.surface_tension > 0 ? 2 * SPH2D__OUTER_RADIUS : 0) * scene->spacing;
 }

@@ -59,19 +59,6 @@ sph2d_status sph2d__openings_create(sph2d_sim *sim)
 
 /* ---- places ------------------------------------------------------------------------------------------------------ */
 
-sph2d__spot sph2d__spot_of(const sph2d__opening *o, double x, double y)
-{
-    double rx = x - o->mouth.start.x, ry = y - o->mouth.start.y;
-    return (sph2d__spot){rx * o->mouth.along.x + ry * o->mouth.along.y,
-                         -(rx * o->mouth.inward.x + ry * o->mouth.inward.y)};
-}
-
-sph2d_vec2 sph2d__place_of(const sph2d__opening *o, sph2d__spot s)
-{
-    return (sph2d_vec2){o->mouth.start.x + s.along * o->mouth.along.x - s.beyond * o->mouth.inward.x,
-                        o->mouth.start.y + s.along * o->mouth.along.y - s.beyond * o->mouth.inward.y};
-}
-
 /** Particles that walls push a little beyond the ends still belong to it. */
 static bool is_beyond(const sph2d__opening *o, sph2d__spot s)
 {
@@ -84,14 +71,6 @@ const sph2d__opening *sph2d__opening_at(const sph2d_sim *sim, double x, double y
         if (is_beyond(&sim->openings.items[k], sph2d__spot_of(&sim->openings.items[k], x, y)))
             return &sim->openings.items[k];
     return NULL;
-}
-
-double sph2d__rest_pressure(const sph2d_sim *sim, const sph2d__opening *o, double x, double y)
-{
-    const sph2d__forces *b = &sim->system.forces;
-    double gx = sim->record.gravity_x + b->frame.uniform.x, gy = sim->record.gravity_y + b->frame.uniform.y;
-    sph2d_vec2 middle = o->middle;
-    return sim->system.rest_density * (gx * (x - middle.x) + gy * (y - middle.y));
 }
 
 /* ---- what probes tell -------------------------------------------------------------------------------------------- */

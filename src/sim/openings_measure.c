@@ -20,6 +20,14 @@ static const double PERIODS = 1, PERIODS_OF_PRESSURE = 1.0 / 16;
 
 /* ---- what is before the line ------------------------------------------------------------------------------------- */
 
+double sph2d__rest_pressure(const sph2d_sim *sim, const sph2d__opening *o, double x, double y)
+{
+    const sph2d__forces *b = &sim->system.forces;
+    double gx = sim->record.gravity_x + b->frame.uniform.x, gy = sim->record.gravity_y + b->frame.uniform.y;
+    sph2d_vec2 middle = o->middle;
+    return sim->system.rest_density * (gx * (x - middle.x) + gy * (y - middle.y));
+}
+
 /** Weighted sums over the particles before a lane: of the distance s from the line, the distance t from its middle in
  *  lanes, and values with and without t. */
 typedef struct lane_sums {

@@ -11,8 +11,18 @@ typedef struct sph2d__spot {
     double along, beyond;
 } sph2d__spot;
 
-sph2d__spot sph2d__spot_of(const sph2d__opening *o, double x, double y);
-sph2d_vec2 sph2d__place_of(const sph2d__opening *o, sph2d__spot spot);
+static inline sph2d__spot sph2d__spot_of(const sph2d__opening *o, double x, double y)
+{
+    double rx = x - o->mouth.start.x, ry = y - o->mouth.start.y;
+    return (sph2d__spot){rx * o->mouth.along.x + ry * o->mouth.along.y,
+                         -(rx * o->mouth.inward.x + ry * o->mouth.inward.y)};
+}
+
+static inline sph2d_vec2 sph2d__place_of(const sph2d__opening *o, sph2d__spot s)
+{
+    return (sph2d_vec2){o->mouth.start.x + s.along * o->mouth.along.x - s.beyond * o->mouth.inward.x,
+                        o->mouth.start.y + s.along * o->mouth.along.y - s.beyond * o->mouth.inward.y};
+}
 
 /** Sets the line at a distance beyond the side [m]. */
 void sph2d__opening_set_line(const sph2d_sim *sim, sph2d__opening *o, double beyond);

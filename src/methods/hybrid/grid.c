@@ -135,19 +135,6 @@ void sph2d__grid_free(sph2d__system *s)
     s->grid = NULL;
 }
 
-void sph2d__level_wrap(const sph2d__grid *g, const sph2d__level *l, float *field)
-{
-    for (int j = 1; j <= l->ny && g->wraps_x; ++j) {
-        float *row = field + (size_t)j * l->stride;
-        row[0] = row[l->nx];
-        row[l->nx + 1] = row[1];
-    }
-    if (g->wraps_y) {
-        memcpy(field, field + (size_t)l->ny * l->stride, l->stride * sizeof *field);
-        memcpy(field + (size_t)(l->ny + 1) * l->stride, field + l->stride, l->stride * sizeof *field);
-    }
-}
-
 sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;

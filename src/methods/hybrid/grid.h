@@ -228,6 +228,17 @@ static inline void sph2d__level_clear(const sph2d__level *l, float *field, int f
 }
 
 /** Sets the squares of the ring of a periodic domain. */
-void sph2d__level_wrap(const sph2d__grid *grid, const sph2d__level *level, float *field);
+static inline void sph2d__level_wrap(const sph2d__grid *g, const sph2d__level *l, float *field)
+{
+    for (int j = 1; j <= l->ny && g->wraps_x; ++j) {
+        float *row = field + (size_t)j * l->stride;
+        row[0] = row[l->nx];
+        row[l->nx + 1] = row[1];
+    }
+    if (g->wraps_y) {
+        memcpy(field, field + (size_t)l->ny * l->stride, l->stride * sizeof *field);
+        memcpy(field + (size_t)(l->ny + 1) * l->stride, field + l->stride, l->stride * sizeof *field);
+    }
+}
 
 #endif

@@ -11,6 +11,7 @@
 #include "methods/hybrid/grid.h"
 #include "methods/terms/tension.h"
 #include "scene/method_table.h"
+#include "sim/stages.h"
 
 /* Lattice sites on either side of a particle. */
 enum { REACH = 4 };
@@ -65,17 +66,7 @@ static void pack(sph2d__system *s)
         s->grid->packed = s->fluid.capacity;
 }
 
-/* ---- the method -------------------------------------------------------------------------------------------------- */
-
-void sph2d__hybrid_begin_order(sph2d__system *s)
-{
-    if (s->grid->packed != s->fluid.capacity) { /* none were, or a source made room */
-        pack(s);
-        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->pack);
-    }
-    s->grid->packed = 0; /* until the places at the end of the step are */
-    sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->order);
-}
+/* ---- one step ----------------------------------------------------------------------------------------------------- */
 
 static void accelerate(sph2d__system *s, size_t first, size_t last)
 {
@@ -98,6 +89,128 @@ static bool evaluate(sph2d__system *s)
     sph2d__profile_enter(&s->profile, before);
     return true;
 }
+
+/** Begins to set the displacements e_i, in shift_x and shift_y [m], from places and densities at the start of a step: threads
+ *  are at it while the caller is at the grid, and then waits for them by `omp taskwait`. */
+static void begin_order(sph2d__system *s)
+{
+    if (s->grid->packed != s->fluid.capacity) { /* none were, or a source made room */
+        pack(s);
+        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->pack);
+    }
+    s->grid->packed = 0; /* until the places at the end of the step are */
+    sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->order);
+}
+
+static void kick(sph2d__store *f, double dt)
+{
+#pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN)
+    for (size_t i = 0; i < f->count; ++i) {
+        f->vx[i] += dt * f->ax[i];
+        f->vy[i] += dt * f->ay[i];
+    }
+}
+
+/** Energy of the liquid, and the power of the forces without a potential. */
+typedef struct energies {
+    double energy, power;
+} energies;
+
+static energies energies_of(const sph2d_sim *sim)
+{
+    return (energies){sph2d__sim_energy_of_all(sim), sph2d__sim_power_of_forces(sim) - sph2d__bodies_power(sim)};
+}
+
+/** Evaluates densities and accelerations, then the energy of the surface; returns how much more that is [J/m]. */
+static sph2d_status evaluate_all(sph2d_sim *sim, double *more)
+{
+    sph2d__grid *g = sim->system.grid;
+    const double before = g->surface_energy;
+    const bool ok = evaluate(&sim->system);
+    g->surface_energy = sim->system.surface_tension > 0 ? sph2d__tension_energy(&sim->system) : 0;
+    *more = g->surface_energy - before;
+    return ok ? SPH2D_OK : SPH2D_NOMEM;
+}
+
+/** Sorts and evaluates again when particles came or went since the last step, or gravity or the pointer were set: at its end,
+ *  both are of those there were. */
+static sph2d_status take_in(sph2d_sim *sim)
+{
+    sph2d__grid *g = sim->system.grid;
+    if (g->next_id == sim->record.next_id && g->count == sim->system.fluid.count && !sph2d__sim_is_steered(sim))
+        return SPH2D_OK;
+    const sph2d_status status = sph2d__sort_fluid(sim);
+    if (status != SPH2D_OK)
+        return status;
+    g->next_id = sim->record.next_id;
+    g->count = sim->system.fluid.count;
+    sph2d__sim_act(sim);
+    double brought;
+    return evaluate_all(sim, &brought);
+}
+
+static sph2d_status step(sph2d_sim *sim, double dt)
+{
+    sph2d__system *s = &sim->system;
+    sph2d__record *r = &sim->record;
+    sph2d_status status = sph2d__grid_prepare(sim);
+    if (status == SPH2D_OK)
+        status = take_in(sim);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
+#pragma omp task
+    sph2d__grid_find_spans(sim, s->grid);
+    const energies before = energies_of(sim);
+    const double booked = r->energy_stopped - r->energy_walls;
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
+    kick(&s->fluid, dt);
+    sph2d__bodies_fall(sim, dt);
+    sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);
+#pragma omp taskwait
+    if (!sph2d__grid_cut(sim, s->grid))
+        status = SPH2D_NOMEM; /* returned once the threads are done */
+    sph2d__grid_open_nozzles(sim, s->grid);
+    sph2d__grid_sum(sim, s->grid, dt);
+    begin_order(s);
+    sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
+#pragma omp taskwait
+    if (status != SPH2D_OK)
+        return status;
+    if (sim->moving_count > sim->bodies.count)
+        r->energy_walls += sph2d__grid_wall_work(s->grid, s->rest_density);
+    const double fed = sph2d__grid_nozzle_work(s->grid, s->rest_density);
+    r->energy_fed += fed;
+    double on_bodies = 0;
+    if (s->grid->body_count > 0) {
+        sph2d__grid_impulses(s->grid, s->rest_density, s->grid->impulses);
+        status = sph2d__bodies_push(sim, dt, s->grid->impulses, &on_bodies);
+        if (status != SPH2D_OK)
+            return status;
+        sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
+    }
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
+    status = sph2d__advect(sim, dt, sph2d__transfer_passes_find(s->isa)->move, NULL);
+    if (status != SPH2D_OK)
+        return status;
+    status = sph2d__sort_fluid(sim);
+    if (status != SPH2D_OK)
+        return status;
+    sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
+    const energies after = energies_of(sim);
+    r->work_pressed += on_bodies + after.energy - before.energy - dt * (before.power + after.power) / 2 +
+                       (r->energy_stopped - r->energy_walls - booked) - fed;
+    status = sph2d__sim_update_forcing(sim, r->time + dt);
+    if (status != SPH2D_OK)
+        return status;
+    double more;
+    status = evaluate_all(sim, &more);
+    r->work_pressed += more;
+    return status;
+}
+
+/* ---- the method -------------------------------------------------------------------------------------------------- */
 
 /** Pressure keeps the density, and stores nothing. */
 static double elastic(const sph2d__system *s, size_t i, bool stepped)
@@ -125,7 +238,7 @@ static double stable_step(const sph2d__system *s, double speed, double accelerat
 
 const sph2d__method sph2d__hybrid = {
     .name = "hybrid",
-    .step = sph2d__hybrid_step,
+    .step = step,
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |
              SPH2D__BIT(shift_x) | SPH2D__BIT(shift_y) | SPH2D__BIT(stretch) | SPH2D__BIT(shear) |
              SPH2D__BIT(rotation) | SPH2D__BIT(packed_place) | SPH2D__BIT(packed_state),

@@ -37,13 +37,6 @@
 #include "methods/common/slabs.h"
 #include "simd/isa.h"
 
-/** The time scheme (advance.c): method.h. */
-sph2d_status sph2d__hybrid_step(sph2d_sim *sim, double dt);
-
-/** Begins to set the displacements e_i, in shift_x and shift_y [m], from places and densities at the start of a step: threads
- *  are at it while the caller is at the grid, and then waits for them by `omp taskwait`. */
-void sph2d__hybrid_begin_order(sph2d__system *system);
-
 /** How far the place of a particle is moved, over its bound; `shift`: along another axis. */
 static inline double sph2d__hybrid_jitter(uint64_t id, unsigned shift)
 {

@@ -9,6 +9,7 @@
 #include "methods/common/slabs.h"
 #include "methods/common/traverse.h"
 #include "scene/derive.h"
+#include "scene/resolve.h"
 
 #define INNER SPH2D__INNER_RADIUS
 #define OUTER SPH2D__OUTER_RADIUS

@@ -426,9 +426,10 @@ void sph2d__frozen_bodies_feed(sph2d__system *system);
  *  stopped after it, and where these are not those of the middle. */
 double sph2d__frozen_bodies_late(sph2d__system *system);
 
-/** Parts of a step (advance.c): the start, particles where they were; external forces; the energy of close pairs and beside
- *  sides, of which it returns the change since it was last called [J/m]. */
+/** Parts of a step (wcsph_begin.c): the start, particles where they were; what neighbours see of a particle's velocity; external
+ *  forces; the energy of close pairs and beside sides, of which it returns the change since it was last called [J/m]. */
 void sph2d__frozen_begin(sph2d__system *system);
+void sph2d__frozen_start_motion(sph2d__system *system, size_t i);
 void sph2d__frozen_start_external(sph2d__system *system);
 double sph2d__frozen_store(sph2d__system *system);
 /** In place of acoustic steps, in method `constraint` (implicit.c). */
@@ -456,8 +457,13 @@ void sph2d__close_free(sph2d__system *system);
  *  `rubbed`; `again`, from what was found, for the last time. */
 void sph2d__thick_solve(sph2d__system *system, bool again);
 
-/** The head that the sound speed is made for [m^2/s^2], as a run that is resumed knows (wcsph.c). */
+/** The head that the sound speed is made for [m^2/s^2], as a run that is resumed knows (wcsph_limits.c). */
 double sph2d__head_of_sound(const sph2d__system *system);
+
+/** The longest steps (wcsph_limits.c): by sound and the way of the fastest particle; in method `constraint` as far as particles
+ *  may go in one. method.h. */
+double sph2d__wcsph_stable_step(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
+double sph2d__implicit_stable_step(const sph2d__system *system, double speed, double acceleration, sph2d__limit *limit);
 
 /** The time scheme (advance.c): method.h. */
 sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt);

@@ -1,12 +1,106 @@
 /* SPDX-License-Identifier: MIT */
-/** @file pages_manual.c
- *  The pages of keys in mdoc, the language of manual pages. */
+/** @file page_forms.c
+ *  The pages of keys as Markdown, and in mdoc, the language of manual pages. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "page_form.h"
 #include "text.h"
+
+/* Starts a sentence with a capital letter, unless with a symbol or a word of scene files. */
+static void capitalise(char *text)
+{
+    size_t length = strcspn(text, " ,;:.");
+    for (size_t i = 0; i < length; ++i)
+        if ((length == 1 && text[0] != 'a') || !isalpha((unsigned char)text[i]))
+            return;
+    text[0] = (char)toupper((unsigned char)text[0]);
+}
+
+/* ---- Markdown ---------------------------------------------------------------------------------------------------- */
+
+/* A vertical bar would end the cell of a table. */
+static void markdown_text(const char *text)
+{
+    for (const char *c = text; *c != '\0'; ++c) {
+        if (*c == '|')
+            putchar('\\');
+        putchar(*c);
+    }
+}
+
+static void markdown_section(const char *name, const char *title)
+{
+    char sentence[PAGE_LINE_SIZE];
+    snprintf(sentence, sizeof sentence, "%s.", title);
+    capitalise(sentence);
+    printf("\n### %s\n\n", name);
+    markdown_text(sentence);
+    putchar('\n');
+}
+
+static void markdown_paragraph(const char *text)
+{
+    putchar('\n');
+    markdown_text(text);
+    putchar('\n');
+}
+
+static void markdown_begin_keys(void)
+{
+    printf("\n| key | type | unit | values | default | meaning |\n|---|---|---|---|---|---|\n");
+}
+
+static void markdown_key(const page_entry *e)
+{
+    if (e->section)
+        printf("| [`%s`](#%s) |", e->name, e->section);
+    else
+        printf("| `%s` |", e->name);
+    printf(" %s | %s | ", e->type, e->unit);
+    markdown_text(e->values);
+    printf(" | ");
+    if (e->required)
+        printf("must be given");
+    else if (e->fallback)
+        printf("%s%s%s", e->literal ? "`" : "", e->fallback, e->literal ? "`" : "");
+    printf(" | ");
+    markdown_text(e->text);
+    if (e->methods[0] != '\0')
+        printf(" (methods: %s)", e->methods);
+    printf(" |\n");
+}
+
+static void markdown_end(void)
+{
+}
+
+static void markdown_row(const char *const *cells, size_t count)
+{
+    for (size_t i = 0; i < count; ++i) {
+        printf("| ");
+        markdown_text(cells[i]);
+        putchar(' ');
+    }
+    printf("|\n");
+}
+
+static void markdown_begin_table(const char *intro, const char *const *heads, size_t count)
+{
+    markdown_paragraph(intro);
+    putchar('\n');
+    markdown_row(heads, count);
+    for (size_t i = 0; i < count; ++i)
+        printf("|---");
+    printf("|\n");
+}
+
+const page_form page_markdown = {{"`", "`"},           markdown_section, markdown_paragraph,
+                                 markdown_begin_keys,  markdown_key,     markdown_end,
+                                 markdown_begin_table, markdown_row,     markdown_end};
+
+/* ---- mdoc -------------------------------------------------------------------------------------------------------- */
 
 enum { MAN_WIDTH = 78 };
 
@@ -55,7 +149,7 @@ static void manual_sentence(const char *text)
 {
     char sentence[PAGE_LINE_SIZE];
     snprintf(sentence, sizeof sentence, "%s.", text);
-    page_capitalise(sentence);
+    capitalise(sentence);
     manual_text(sentence);
 }
 
