@@ -106,7 +106,7 @@ static void write_keys(const page_form *f, const sph2d_keys *keys, const char *p
     }
 }
 
-/* "Exactly one of `box`, `disc`, `polygon` must be given." */
+/* "Exactly one of `box`, `circle`, `polygon` must be given." */
 static void write_choice(const page_form *f, const sph2d_keys *keys)
 {
     char line[PAGE_VALUES_SIZE] = "";

@@ -46,8 +46,8 @@ int main(void)
     scene.blocks = &water;
     scene.block_count = 1;
     sph2d_body raft = sph2d_body_default();
-    raft.outline.kind = SPH2D_OUTLINE_BOX;
-    raft.outline.box = (sph2d_box){{0.3, 0.7}, {0.7, 0.8}};
+    raft.shape.kind = SPH2D_SHAPE_BOX;
+    raft.shape.box = (sph2d_box){{0.3, 0.7}, {0.7, 0.8}};
     raft.density = 1500;
     scene.bodies = &raft;
     scene.body_count = 1;

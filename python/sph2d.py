@@ -65,7 +65,7 @@ typedef enum sph2d_group { SPH2D_GROUP_FLUID = 0, SPH2D_GROUP_WALL = 1, SPH2D_GR
     SPH2D_GROUP_OUTLINE = 3 } sph2d_group;
 typedef enum sph2d_side { SPH2D_SIDE_WALL = 0 } sph2d_side;
 typedef enum sph2d_switch { SPH2D_SWITCH_OFF = 0 } sph2d_switch;
-typedef enum sph2d_shape_kind { SPH2D_SHAPE_BOX = 1, SPH2D_SHAPE_DISC = 2, SPH2D_SHAPE_POLYGON = 3 } sph2d_shape_kind;
+typedef enum sph2d_shape_kind { SPH2D_SHAPE_BOX = 1, SPH2D_SHAPE_CIRCLE = 2, SPH2D_SHAPE_POLYGON = 3 } sph2d_shape_kind;
 typedef enum sph2d_style { SPH2D_STYLE_METABALLS = 0, SPH2D_STYLE_POINTS = 1 } sph2d_style;
 typedef enum sph2d_look { SPH2D_LOOK_WATER = 0 } sph2d_look;
 typedef enum sph2d_background { SPH2D_BACKGROUND_OPAQUE = 0 } sph2d_background;
@@ -77,9 +77,11 @@ typedef enum sph2d_key_kind { SPH2D_KEY_NUMBER = 0, SPH2D_KEY_COUNT = 1, SPH2D_K
     SPH2D_KEY_NUMBERS = 9, SPH2D_KEY_GROUP = 10, SPH2D_KEY_LIST = 11 } sph2d_key_kind;
 typedef struct sph2d_vec2 { double x, y; } sph2d_vec2;
 typedef struct sph2d_box { sph2d_vec2 min, max; } sph2d_box;
-typedef struct sph2d_disc { sph2d_vec2 center; double radius; } sph2d_disc;
+typedef struct sph2d_circle { sph2d_vec2 center; double radius; } sph2d_circle;
+typedef struct sph2d_arc { sph2d_vec2 center; double radius; double from, to; } sph2d_arc;
 typedef struct sph2d_points { const sph2d_vec2 *items; size_t count; } sph2d_points;
-typedef struct sph2d_shape { sph2d_shape_kind kind; sph2d_box box; sph2d_disc disc; sph2d_points polygon; } sph2d_shape;
+typedef struct sph2d_shape { sph2d_shape_kind kind; sph2d_box box; sph2d_circle circle; sph2d_points points;
+    sph2d_arc arc; } sph2d_shape;
 typedef struct sph2d_particle { double x, y; double vx, vy; double density; } sph2d_particle;
 typedef struct sph2d_rate { double per_second; double every; } sph2d_rate;
 typedef struct sph2d_boundary { sph2d_side left, right, bottom, top; } sph2d_boundary;
@@ -93,7 +95,7 @@ typedef struct sph2d_report { size_t count; size_t dropped; size_t errors; sph2d
 typedef struct sph2d_key { const char *name; sph2d_key_kind kind; bool required; size_t offset; size_t count_offset;
     double min, max; bool min_excluded; bool zero_is_unset; bool nan_is_unset; size_t choice_offset; int choice;
     const char *const *words; const struct sph2d_keys *keys; bool as_mapping; const char *unit;
-    const char *default_text; const char *text; bool stands_alone; int feature; void *preset; } sph2d_key;
+    const char *default_text; const char *text; bool stands_alone; const char *also; int feature; void *preset; } sph2d_key;
 typedef struct sph2d_keys { const sph2d_key *items; size_t count; size_t size; void *set_default; } sph2d_keys;
 typedef struct sph2d_plan { size_t fluid_particles; size_t wall_particles; size_t places_left_free; double area_asked;
     double area_left_out; double most_left_out; size_t most_left_out_block; double area_placed; double particle_mass;
@@ -1126,7 +1128,7 @@ class Simulation(_Owner):
 
     def remove_particles(self, shape):
         """Removes the liquid in a shape, written as that of a drain: {"box": {"min": [0, 0], "max": [1, 1]}},
-        {"disc": {"center": [0, 0], "radius": 1}} or {"polygon": [[0, 0], [1, 0], [0, 1]]} [m]. Returns how many
+        {"circle": {"center": [0, 0], "radius": 1}} or {"polygon": [[0, 0], [1, 0], [0, 1]]} [m]. Returns how many
         particles were removed; they count as `drained`. Errors: ValueError for another shape; Error with status
         INVALID for values that are not finite or out of range, GUARD, NOMEM."""
         made, _corners = _shape(shape)
@@ -1197,19 +1199,22 @@ def _members(name, value, *keys):
 def _shape(shape):
     """A shape for C, and its corners, which must live as long."""
     made, corners = _STRUCT["shape"](), None
-    if not isinstance(shape, collections.abc.Mapping) or len(shape) != 1 or not {*shape} < {"box", "disc", "polygon"}:
-        raise ValueError(f"a shape is a box, disc or polygon as of a drain, not {_shown(shape)}")
+    words = {"box", "circle", "disc", "polygon"}
+    if not isinstance(shape, collections.abc.Mapping) or len(shape) != 1 or not {*shape} < words:
+        raise ValueError(f"a shape is a box, circle or polygon as of a drain, not {_shown(shape)}")
     (name, value), = shape.items()
+    name = "circle" if name == "disc" else name
     made.kind = _ENUM["SHAPE_" + name.upper()]
     if name == "box":
         low, high = _members("shape.box", value, "min", "max")
         made.box.min, made.box.max = _vec2("shape.box.min", low), _vec2("shape.box.max", high)
-    elif name == "disc":
-        center, radius = _members("shape.disc", value, "center", "radius")
-        made.disc.center, made.disc.radius = _vec2("shape.disc.center", center), _number("shape.disc.radius", radius)
+    elif name == "circle":
+        center, radius = _members("shape.circle", value, "center", "radius")
+        made.circle.center = _vec2("shape.circle.center", center)
+        made.circle.radius = _number("shape.circle.radius", radius)
     else:
         corners = _numbers("shape.polygon", value, (-1, 2))
-        made.polygon.items, made.polygon.count = corners.ctypes.data, len(corners)
+        made.points.items, made.points.count = corners.ctypes.data, len(corners)
     return made, corners
 
 

@@ -24,10 +24,10 @@ contact_world *world_new(void)
     return &world;
 }
 
-static uint32_t add(contact_world *w, sph2d_outline outline, sph2d_vec2 center, double mass, double inertia)
+static uint32_t add(contact_world *w, sph2d_shape outline, sph2d_vec2 center, double mass, double inertia)
 {
     uint32_t i = (uint32_t)w->scene.body_count++;
-    w->bodies[i] = (sph2d_body){.outline = outline, .center = center, .friction = 0.3};
+    w->bodies[i] = (sph2d_body){.shape = outline, .center = center, .friction = 0.3};
     w->states[i] = (sph2d_contact_body){.inverse_mass_x = 1 / mass, .inverse_mass_y = 1 / mass};
     w->states[i].inverse_inertia = 1 / inertia;
     w->states[i].center = center;
@@ -37,28 +37,28 @@ static uint32_t add(contact_world *w, sph2d_outline outline, sph2d_vec2 center, 
 uint32_t world_disc(contact_world *w, double x, double y, double radius)
 {
     double mass = DENSITY * SPH2D__PI * radius * radius;
-    sph2d_outline outline = {.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{x, y}, radius}};
+    sph2d_shape outline = {.kind = SPH2D_SHAPE_CIRCLE, .circle = {{x, y}, radius}};
     return add(w, outline, (sph2d_vec2){x, y}, mass, mass * radius * radius / 2);
 }
 
 uint32_t world_box(contact_world *w, double x, double y, double width, double height)
 {
     double mass = DENSITY * width * height;
-    sph2d_outline outline = {.kind = SPH2D_OUTLINE_BOX};
+    sph2d_shape outline = {.kind = SPH2D_SHAPE_BOX};
     outline.box = (sph2d_box){{x - width / 2, y - height / 2}, {x + width / 2, y + height / 2}};
     return add(w, outline, (sph2d_vec2){x, y}, mass, mass * (width * width + height * height) / 12);
 }
 
 uint32_t world_polygon(contact_world *w, sph2d_points corners, sph2d_vec2 center, double mass, double inertia)
 {
-    return add(w, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = corners}, center, mass, inertia);
+    return add(w, (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = corners}, center, mass, inertia);
 }
 
-void world_obstacle(contact_world *w, sph2d_outline outline, sph2d_vec2 center)
+void world_obstacle(contact_world *w, sph2d_shape outline, sph2d_vec2 center)
 {
     size_t i = w->scene.obstacle_count++;
     w->obstacles[i] = sph2d_obstacle_default();
-    w->obstacles[i].outline = outline;
+    w->obstacles[i].shape = outline;
     w->obstacles[i].motion.center = center;
     w->walls[i].center = center;
 }
@@ -86,31 +86,46 @@ double world_energy(const contact_world *w)
     return sum;
 }
 
+/** Body i where it is; its corners are valid until the next call but one. */
 static sph2d__placed place(const contact_world *w, uint32_t i)
 {
+    enum { MOST = 16 };
+    static sph2d_vec2 room[2][MOST];
+    static unsigned calls;
     const sph2d_contact_body *b = &w->states[i];
-    return (sph2d__placed){.outline = &w->bodies[i].outline,
-                           .from = w->bodies[i].center,
-                           .to = b->center,
-                           .cosine = cos(b->angle),
-                           .sine = sin(b->angle)};
+    const sph2d_shape *shape = &w->bodies[i].shape;
+    const sph2d_vec2 from = w->bodies[i].center, to = b->center;
+    const double cosine = cos(b->angle), sine = sin(b->angle);
+    sph2d_vec2 *corners = room[calls++ % 2];
+    const bool circle = shape->kind == SPH2D_SHAPE_CIRCLE;
+    const size_t count = circle ? 0 : sph2d_shape_corners(shape, 1, NULL);
+    ck_assert_uint_le(count, MOST);
+    if (circle)
+        corners[0] = shape->circle.center;
+    else
+        sph2d_shape_corners(shape, 1, corners);
+    for (size_t k = 0; k < count + circle; ++k) {
+        const double x = corners[k].x - from.x, y = corners[k].y - from.y;
+        corners[k] = (sph2d_vec2){to.x + cosine * x - sine * y, to.y + sine * x + cosine * y};
+    }
+    return (sph2d__placed){.shape = shape, .corners = corners, .corner_count = count, .center = corners[0]};
 }
 
 static bool is_disc(const sph2d__placed *p)
 {
-    return p->outline->kind == SPH2D_OUTLINE_CIRCLE;
+    return p->shape->kind == SPH2D_SHAPE_CIRCLE;
 }
 
 /** How far a body reaches along a direction. */
 static double reach(const sph2d__placed *p, sph2d_vec2 d)
 {
     if (is_disc(p)) {
-        sph2d_vec2 c = sph2d__circle_center(p);
-        return c.x * d.x + c.y * d.y + p->outline->circle.radius;
+        sph2d_vec2 c = p->center;
+        return c.x * d.x + c.y * d.y + p->shape->circle.radius;
     }
     double most = -INFINITY;
-    for (size_t i = 0; i < sph2d__corner_count(p->outline); ++i) {
-        sph2d_vec2 q = sph2d__corner(p, i);
+    for (size_t i = 0; i < p->corner_count; ++i) {
+        sph2d_vec2 q = p->corners[i];
         most = fmax(most, q.x * d.x + q.y * d.y);
     }
     return most;
@@ -128,12 +143,12 @@ static double shadow(const sph2d__placed *a, const sph2d__placed *b, double x, d
 static double least_shadow(const sph2d__placed *a, const sph2d__placed *b)
 {
     double least = INFINITY;
-    size_t count = sph2d__corner_count(a->outline);
+    size_t count = a->corner_count;
     for (size_t i = 0; i < count; ++i) {
-        sph2d_vec2 p = sph2d__corner(a, i), q = sph2d__corner(a, (i + 1) % count);
+        sph2d_vec2 p = a->corners[i], q = a->corners[(i + 1) % count];
         least = fmin(least, shadow(a, b, q.y - p.y, p.x - q.x));
         if (is_disc(b)) {
-            sph2d_vec2 c = sph2d__circle_center(b);
+            sph2d_vec2 c = b->center;
             least = fmin(least, shadow(a, b, c.x - p.x, c.y - p.y));
         }
     }
@@ -144,8 +159,8 @@ double world_overlap(const contact_world *w, uint32_t i, uint32_t j)
 {
     sph2d__placed a = place(w, i), b = place(w, j);
     if (is_disc(&a) && is_disc(&b)) {
-        sph2d_vec2 p = sph2d__circle_center(&a), q = sph2d__circle_center(&b);
-        return a.outline->circle.radius + b.outline->circle.radius - hypot(p.x - q.x, p.y - q.y);
+        sph2d_vec2 p = a.center, q = b.center;
+        return a.shape->circle.radius + b.shape->circle.radius - hypot(p.x - q.x, p.y - q.y);
     }
     return fmin(least_shadow(&a, &b), least_shadow(&b, &a));
 }

@@ -29,7 +29,7 @@ uint32_t world_box(contact_world *world, double x, double y, double width, doubl
 /** A polygon with its centre of mass at (x, y), from where its corners are drawn, and of a given mass and inertia. */
 uint32_t world_polygon(contact_world *world, sph2d_points corners, sph2d_vec2 center, double mass, double inertia);
 /** Adds an obstacle at rest, which turns about a centre. */
-void world_obstacle(contact_world *world, sph2d_outline outline, sph2d_vec2 center);
+void world_obstacle(contact_world *world, sph2d_shape outline, sph2d_vec2 center);
 /** One step; overlaps are measured in each step if wanted. */
 void world_step(contact_world *world, bool measure);
 /** A number of steps, with overlaps measured in each. */

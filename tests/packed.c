@@ -26,13 +26,13 @@ void packed_set_polygon(size_t count)
 {
     packed.block = sph2d_block_default();
     packed.block.shape.kind = SPH2D_SHAPE_POLYGON;
-    packed.block.shape.polygon = (sph2d_points){packed.corners, count};
+    packed.block.shape.points = (sph2d_points){packed.corners, count};
 }
 
 void packed_set_line(size_t count)
 {
-    packed.obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    packed.obstacle.outline.polyline = (sph2d_points){packed.line, count};
+    packed.obstacle.shape.kind = SPH2D_SHAPE_POLYLINE;
+    packed.obstacle.shape.points = (sph2d_points){packed.line, count};
     packed.scene.obstacle_count = 1;
 }
 

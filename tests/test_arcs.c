@@ -8,7 +8,7 @@
 #include "common.h"
 #include "scene/basin.h"
 #include "scene/liquid_side.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "sim/simulation.h"
 
 static const double DX = 0.02;
@@ -38,13 +38,13 @@ static sph2d_vec2 point_of(const sph2d_arc *arc, double part)
 START_TEST(pieces_of_an_arc)
 {
     const sph2d_arc *arc = &arcs[_i];
-    const sph2d_outline outline = {.kind = SPH2D_OUTLINE_ARC, .arc = *arc};
-    size_t pieces = sph2d__outline_pieces(&outline, DX);
+    const sph2d_shape outline = {.kind = SPH2D_SHAPE_ARC, .arc = *arc};
+    size_t pieces = sph2d__shape_pieces(&outline, DX);
     sph2d_vec2 at = point_of(arc, 0), last = point_of(arc, 1);
     double bulge = sph2d__arc_bulge(arc, DX);
     ck_assert_double_le(bulge, 0.08 * arc->radius);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(&outline, DX, k);
+        sph2d__segment s = sph2d__shape_piece(&outline, DX, k);
         double x = (s.a.x + s.b.x) / 2 - arc->center.x, y = (s.a.y + s.b.y) / 2 - arc->center.y;
         ck_assert_double_le(hypot(s.a.x - at.x, s.a.y - at.y), 1e-14);
         ck_assert_double_le(hypot(s.b.x - s.a.x, s.b.y - s.a.y), DX);
@@ -53,7 +53,7 @@ START_TEST(pieces_of_an_arc)
         at = s.b;
     }
     ck_assert_double_le(hypot(last.x - at.x, last.y - at.y), 1e-14);
-    ck_assert(sph2d__outline_is_open(&outline) && !sph2d__outline_encloses(&outline, arc->center));
+    ck_assert(sph2d__shape_is_open(&outline) && !sph2d__shape_contains(&outline, arc->center));
 }
 END_TEST
 
@@ -61,9 +61,9 @@ END_TEST
 START_TEST(measures_of_an_arc)
 {
     const sph2d_arc *arc = &arcs[_i];
-    const sph2d_outline outline = {.kind = SPH2D_OUTLINE_ARC, .arc = *arc};
+    const sph2d_shape outline = {.kind = SPH2D_SHAPE_ARC, .arc = *arc};
     sph2d_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}}, bounds = sph2d__arc_bounds(arc);
-    sph2d_vec2 mean = {0, 0}, centroid = sph2d__outline_centroid(&outline);
+    sph2d_vec2 mean = {0, 0}, centroid = sph2d_shape_centroid(&outline);
     const double r = arc->radius, fine = 1e-5 * r;
     uint64_t random = 7;
     for (int k = 0; k <= SAMPLES; ++k) {
@@ -85,7 +85,7 @@ START_TEST(measures_of_an_arc)
             most = fmax(most, hypot(p.x - q.x, p.y - q.y));
         }
         ck_assert_double_eq_tol(distance, least, 2e-3 * r);
-        ck_assert_double_eq_tol(sph2d__outline_distance(&outline, p), most, fine);
+        ck_assert_double_eq_tol(sph2d__shape_distance(&outline, p), most, fine);
     }
 }
 END_TEST
@@ -125,14 +125,14 @@ static void bowl(double height)
     scene.gravity = (sph2d_vec2){0, -9.81};
     scene.fluid.dynamic_viscosity = 2;
     obstacles[0] = sph2d_obstacle_default();
-    obstacles[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_ARC, .arc = BOWL};
+    obstacles[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_ARC, .arc = BOWL};
     obstacles[0].name = "bowl";
     double half = acos((BOWL.center.y - height) / BOWL.radius); /* of the angle over the surface */
     sph2d_arc wet = {BOWL.center, BOWL.radius, 1.5 * TEST_PI - half, 1.5 * TEST_PI + half};
     for (int k = 0; k <= CORNERS; ++k)
         corners[k] = point_of(&wet, (double)k / CORNERS);
     block = sph2d_block_default();
-    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .polygon = {corners, CORNERS + 1}};
+    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {corners, CORNERS + 1}};
     scene.blocks = &block;
     scene.block_count = 1;
     scene.obstacles = obstacles;
@@ -218,7 +218,7 @@ START_TEST(layers_inside_an_arc_and_on_both_sides)
     source.speed = 1;
     scene.sources = &source;
     scene.source_count = 1;
-    obstacles[0].outline.arc = (sph2d_arc){{0.5, 0.3}, 0.3, 0.2, TEST_PI - 0.2};
+    obstacles[0].shape.arc = (sph2d_arc){{0.5, 0.3}, 0.3, 0.2, TEST_PI - 0.2};
     obstacles[0].liquid = _i ? SPH2D_LIQUID_BOTH : SPH2D_LIQUID_AUTO; /* found by the source */
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d__store *w = &sim->system.walls;
@@ -258,10 +258,10 @@ START_TEST(nothing_passes_an_arc_that_turns)
     scene.gravity.y = -2;
     scene.method.name = kinds[_i].method;
     block = sph2d_block_default();
-    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.5, 0.5}, 0.2}};
+    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.5, 0.5}, 0.2}};
     if (kinds[_i].form != SPH2D_WALL_GENERALISED)
         block = test_block(0, 0, 1, 0.6);
-    obstacles[0].outline.arc = scoop;
+    obstacles[0].shape.arc = scoop;
     obstacles[0].form = kinds[_i].form;
     obstacles[0].motion.rate = 100;
     obstacles[0].motion.ramp = 0.02;
@@ -324,13 +324,13 @@ enum { REFUSED = 0 REFUSALS(NUMBER) };
 START_TEST(what_cannot_work_is_refused)
 {
     int k = 0;
-    sph2d_arc *arc = &obstacles[0].outline.arc;
+    sph2d_arc *arc = &obstacles[0].shape.arc;
     sph2d_report_clear(&report);
 #define REFUSE(at, code, what)                                                                                         \
     if (k++ == _i) {                                                                                                   \
         bowl(0.4);                                                                                                     \
         obstacles[1] = sph2d_obstacle_default();                                                                       \
-        obstacles[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.3, 0}, {0.7, 0.12}}};             \
+        obstacles[1].shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.3, 0}, {0.7, 0.12}}};                   \
         scene.method.sound_speed = 20;                                                                                 \
         what;                                                                                                          \
         ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);                                             \

@@ -25,8 +25,8 @@ static void start(void)
     basin[2] = (sph2d_vec2){0.8, 1.5};
     basin[3] = (sph2d_vec2){0.8, 1.8};
     obstacles[0] = obstacles[1] = sph2d_obstacle_default();
-    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacles[0].outline.polyline = (sph2d_points){basin, 4};
+    obstacles[0].shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacles[0].shape.points = (sph2d_points){basin, 4};
     block = test_block(0.2, 1.5, 0.8, 1.7);
     scene.blocks = &block;
     scene.block_count = 1;
@@ -75,13 +75,13 @@ START_TEST(liquid_runs_out_through_a_hole)
     second[0] = (sph2d_vec2){_i ? 0.4 : 0.45, 1.5};
     second[1] = (sph2d_vec2){0.8, 1.5};
     basin[2].x = 0.4;
-    obstacles[0].outline.polyline.count = 3;
-    obstacles[1].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[1].outline.line = (sph2d_points){second, 2};
+    obstacles[0].shape.points.count = 3;
+    obstacles[1].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[1].shape.points = (sph2d_points){second, 2};
     sph2d_obstacle right = sph2d_obstacle_default();
     static sph2d_vec2 side[2] = {{0.8, 1.5}, {0.8, 1.8}};
-    right.outline.kind = SPH2D_OUTLINE_LINE;
-    right.outline.line = (sph2d_points){side, 2};
+    right.shape.kind = SPH2D_SHAPE_LINE;
+    right.shape.points = (sph2d_points){side, 2};
     static sph2d_obstacle all[3];
     all[0] = obstacles[0];
     all[1] = obstacles[1];
@@ -118,7 +118,7 @@ START_TEST(liquid_goes_round_a_period)
 {
     /* A wall from floor to top keeps it on its left, unless it can go the other way. */
     sph2d_vec2 shelf[3] = {{0.5, 2}, {0.5, 1}, {0, 1}};
-    obstacles[0].outline.polyline = (sph2d_points){shelf, 3};
+    obstacles[0].shape.points = (sph2d_points){shelf, 3};
     block = test_block(0, 1, 0.5, 1.5);
     ck_assert_double_eq_tol(height(), 0.5, 0.02 + 1e-9);
     scene.boundary.left = scene.boundary.right = SPH2D_SIDE_PERIODIC;
@@ -129,11 +129,11 @@ END_TEST
 START_TEST(a_corner_is_reached_to_its_tip)
 {
     sph2d_vec2 wedge[3] = {{0.4, 1.9}, {0.5, 1}, {0.6, 1.9}};
-    obstacles[0].outline.polyline = (sph2d_points){wedge, 3};
+    obstacles[0].shape.points = (sph2d_points){wedge, 3};
     sph2d_vec2 corners[3] = {{0.5, 1}, {0.58, 1.72}, {0.42, 1.72}};
     block = sph2d_block_default();
     block.shape.kind = SPH2D_SHAPE_POLYGON;
-    block.shape.polygon = (sph2d_points){corners, 3};
+    block.shape.points = (sph2d_points){corners, 3};
     ck_assert_double_eq_tol(height(), 0.72, 1e-9);
 }
 END_TEST

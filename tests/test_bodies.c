@@ -35,7 +35,7 @@ static void start_pool(void)
     pool.scene.block_count = 1;
     pool.body = sph2d_body_default();
     pool.body.name = "raft";
-    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.6, 0.24}, {0.92, 0.48}}};
+    pool.body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.6, 0.24}, {0.92, 0.48}}};
     pool.body.density = 400;
     pool.scene.bodies = &pool.body;
     pool.scene.body_count = 1;
@@ -57,7 +57,7 @@ static void start_alone(void)
     pool.scene.method.sound_speed = 20;
     pool.scene.method.stiffness = 0;
     pool.block = test_block(0, 0, 0.16, 0.16);
-    pool.body.outline.box = (sph2d_box){{1.6, 4}, {2.0, 4.32}};
+    pool.body.shape.box = (sph2d_box){{1.6, 4}, {2.0, 4.32}};
     pool.body.velocity = (sph2d_vec2){0.3, 1};
     pool.body.rate = 2;
 }
@@ -69,15 +69,15 @@ START_TEST(mass_and_inertia_are_those_of_the_formulas)
     static const sph2d_vec2 corners[4] = {{1, 1}, {1.3, 1.4}, {0.9, 1.7}, {0.6, 1.3}}; /* a square of 0.5, turned */
     sph2d_body body = sph2d_body_default();
     body.density = 800;
-    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{2, 3}, 0.25}};
+    body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{2, 3}, 0.25}};
     sph2d__mass_data m = sph2d__body_mass(&body);
     ck_assert_double_eq_tol(m.mass, 800 * TEST_PI * 0.0625, 1e-9);
     ck_assert_double_eq_tol(m.inertia, m.mass * 0.0625 / 2, 1e-9); /* M R^2/2 */
-    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{1, 1}, {1.5, 1.2}}};
+    body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{1, 1}, {1.5, 1.2}}};
     m = sph2d__body_mass(&body);
     ck_assert_double_eq_tol(m.mass, 80, 1e-9);
     ck_assert_double_eq_tol(m.inertia, 80 * (0.25 + 0.04) / 12, 1e-9); /* M (a^2 + b^2)/12 */
-    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {corners, 4}};
+    body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {corners, 4}};
     m = sph2d__body_mass(&body);
     ck_assert_double_eq_tol(m.mass, 200, 1e-9);
     ck_assert_double_eq_tol(m.inertia, 200 * 0.5 / 12, 1e-9);
@@ -333,7 +333,7 @@ START_TEST(a_body_that_hits_liquid_at_the_start_makes_no_energy)
 {
     start_pool();
     pool.block.velocity = (sph2d_vec2){0, 0};
-    pool.body.outline.box = (sph2d_box){{0.5, 0.24}, {0.82, 0.48}};
+    pool.body.shape.box = (sph2d_box){{0.5, 0.24}, {0.82, 0.48}};
     pool.body.velocity = (sph2d_vec2){-1, 0};
     sph2d_sim *sim = test_create(&pool.scene, NULL);
     while (sph2d_sim_time(sim) < 0.1)
@@ -380,7 +380,7 @@ START_TEST(a_wall_is_built_where_a_body_started)
         if (whole.arrays[i].group != SPH2D_GROUP_WALL)
             arrays[state.array_count++] = whole.arrays[i];
     sph2d_obstacle wall = sph2d_obstacle_default();
-    wall.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{1.5, 4.1}, {1.9, 4.4}}};
+    wall.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{1.5, 4.1}, {1.9, 4.4}}};
     pool.scene.obstacles = &wall;
     pool.scene.obstacle_count = 1;
     sph2d_report report = {0};
@@ -429,7 +429,7 @@ START_TEST(particles_that_strike_a_light_body_make_no_energy)
     pool.scene.method = sph2d_scene_default().method;
     pool.scene.method.name = (sph2d_method)_i;
     pool.block.velocity = (sph2d_vec2){3, 0};
-    pool.body.outline.box = (sph2d_box){{0.5, 0.2}, {0.58, 0.28}};
+    pool.body.shape.box = (sph2d_box){{0.5, 0.2}, {0.58, 0.28}};
     /* Known weakness of wcsph: with 50 an acoustic step is too long for the stop at the body's surface. */
     pool.body.density = _i == SPH2D_METHOD_WCSPH ? 100 : 50;
     sph2d_sim *sim = test_create(&pool.scene, NULL);
@@ -455,7 +455,7 @@ START_TEST(liquid_that_strikes_a_light_raft_makes_no_energy)
     pool.scene.gravity.y = 0;
     pool.block = test_block(0.2, 0.5, 1, 0.9);
     pool.block.velocity = (sph2d_vec2){0.2, -1.2};
-    pool.body.outline.box = (sph2d_box){{0.1, 0.26}, {1.1, 0.48}};
+    pool.body.shape.box = (sph2d_box){{0.1, 0.26}, {1.1, 0.48}};
     pool.body.density = 85;
     sph2d_sim *sim = test_create(&pool.scene, NULL);
     while (sph2d_sim_time(sim) < 0.05)
@@ -475,7 +475,7 @@ START_TEST(syrup_moves_a_light_slab_stably)
     pool.scene.fluid.dynamic_viscosity = 200;
     pool.block = test_block(0, 0, 1.2, 0.8);
     pool.block.velocity = (sph2d_vec2){0, 0};
-    pool.body.outline.box = (sph2d_box){{0.56, 0.12}, {0.64, 0.68}};
+    pool.body.shape.box = (sph2d_box){{0.56, 0.12}, {0.64, 0.68}};
     pool.body.density = 80;
     sph2d_sim *sim = test_create(&pool.scene, NULL);
     test_steps(sim, 400);
@@ -495,7 +495,7 @@ START_TEST(a_neutral_body_under_water_stays)
     pool.scene.method.name = methods[_i];
     pool.scene.domain.max.x = 1;
     pool.block = test_block(0, 0, 1, 0.8);
-    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.5, 0.4}, 0.2}};
+    pool.body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.5, 0.4}, 0.2}};
     pool.body.density = 1000;
     sph2d_sim *sim = test_create(&pool.scene, NULL);
     while (sph2d_sim_time(sim) < 0.5)
@@ -599,7 +599,7 @@ START_TEST(wrong_bodies_are_refused_with_their_place)
     static sph2d_report report;
     sph2d_report_clear(&report);
     sph2d_obstacle post = sph2d_obstacle_default();
-    post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.9, 0.4}, 0.08}};
+    post.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.9, 0.4}, 0.08}};
     start_pool();
     pool.body.density = _i == 0 ? 0 : _i == 10 ? -1 : 400;
     pool.body.mass = _i == 1 ? 3 : 0;
@@ -610,11 +610,11 @@ START_TEST(wrong_bodies_are_refused_with_their_place)
     pool.body.motor.torque = _i == 3 ? 1 : 0;
     pool.body.form = _i == 4 ? SPH2D_WALL_REFLECT : SPH2D_WALL_DEFAULT;
     pool.scene.method.operators = _i == 5 ? SPH2D_OPERATORS_FITTED : SPH2D_OPERATORS_VARIATIONAL;
-    pool.body.outline.box.max.x = _i == 6 ? 1.3 : 0.92;
+    pool.body.shape.box.max.x = _i == 6 ? 1.3 : 0.92;
     pool.scene.obstacles = &post;
     pool.scene.obstacle_count = _i == 7;
     if (_i == 8)
-        pool.body.outline.kind = SPH2D_OUTLINE_NONE;
+        pool.body.shape.kind = SPH2D_SHAPE_NONE;
     pool.body.name = _i == 9 ? "left" : "raft";
     ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_SCENE);
     ck_assert_msg(test_report_has(&report, faults[_i].code, faults[_i].path), "%d: %s", _i, test_report_text(&report));
@@ -625,12 +625,12 @@ START_TEST(checks_take_no_longer_with_the_tiniest_spacing)
 {
     static sph2d_report report;
     sph2d_obstacle post = sph2d_obstacle_default();
-    post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.9, 0.4}, 0.2}};
+    post.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.9, 0.4}, 0.2}};
     start_pool();
     pool.scene.obstacles = &post;
     pool.scene.obstacle_count = 1;
     pool.scene.spacing = 1e-12;
-    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.65, 0.7}, 0.18}};
+    pool.body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.65, 0.7}, 0.18}};
     sph2d_report_clear(&report);
     sph2d_scene_check(&pool.scene, &report); /* minutes, and the time limit of tests, without a bound */
     ck_assert(!test_report_has(&report, SPH2D_CODE_OVERLAP, "bodies[0]"));
@@ -677,7 +677,7 @@ START_TEST(a_probe_of_a_body_says_what_is_none)
 {
     static sph2d_report report;
     sph2d_obstacle post = sph2d_obstacle_default();
-    post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{1, 0.8}, 0.08}};
+    post.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{1, 0.8}, 0.08}};
     post.name = "post";
     const struct {
         const char *on, *says;
@@ -702,7 +702,7 @@ START_TEST(small_and_odd_bodies_are_warned_of)
 {
     static sph2d_report report;
     start_pool();
-    pool.body.outline.box.max = (sph2d_vec2){0.65, 0.29};
+    pool.body.shape.box.max = (sph2d_vec2){0.65, 0.29};
     pool.body.density = 30000;
     sph2d_report_clear(&report);
     ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_OK);

@@ -35,14 +35,14 @@ static void start_dry(sph2d_method method, double x, double y)
     dry.scene.blocks = &dry.block;
     dry.scene.block_count = 1;
     dry.walls[0] = dry.walls[1] = sph2d_obstacle_default();
-    dry.walls[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.3, 1.7}, 0.1}};
+    dry.walls[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.3, 1.7}, 0.1}};
     dry.wall = &dry.walls[1];
     dry.wall->name = "wall";
     dry.scene.obstacles = dry.walls;
     dry.scene.obstacle_count = 2;
     dry.stone = sph2d_body_default();
     dry.stone.density = 2500;
-    dry.stone.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{x, y}, {x + 0.3, y + 0.24}}};
+    dry.stone.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{x, y}, {x + 0.3, y + 0.24}}};
     dry.scene.bodies = &dry.stone;
     dry.scene.body_count = 1;
     for (int k = 0; k < PROBES; ++k) {
@@ -60,7 +60,7 @@ static void start_dry(sph2d_method method, double x, double y)
 static void start_lift(sph2d_method method)
 {
     start_dry(method, 0.9, 0.5 + 0.2 * 0.04);
-    dry.wall->outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.8, 0.3}, {1.4, 0.5}}};
+    dry.wall->shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.8, 0.3}, {1.4, 0.5}}};
     dry.wall->motion.amplitude.y = 0.3;
     dry.wall->motion.frequency = 0.25;
     dry.wall->motion.phase = -TEST_PI / 2;
@@ -70,7 +70,7 @@ static void start_lift(sph2d_method method)
 static void start_ram(sph2d_method method)
 {
     start_dry(method, 0.8 + 0.2 * 0.04, 0.2 * 0.04);
-    dry.wall->outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.6, 0.04}, {0.8, 0.4}}};
+    dry.wall->shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.6, 0.04}, {0.8, 0.4}}};
     dry.wall->motion.amplitude.x = 0.25;
     dry.wall->motion.frequency = 0.5;
     dry.wall->motion.phase = -TEST_PI / 2;

@@ -44,8 +44,8 @@ static void start(void)
     source.width = 4 * DX;
     source.speed = 6;
     obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{1, 0}, {1.3, 0.3}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{1, 0}, {1.3, 0.3}};
     obstacle.motion.amplitude = (sph2d_vec2){0.2, 0.1};
     obstacle.motion.frequency = 0.5;
     for (int k = 0; k < PROBES; ++k) {

@@ -33,8 +33,8 @@ static void lay_basin(void)
     channel.scene.opening_count = 1;
     channel.scene.probe_count = 0;
     wall = sph2d_obstacle_default();
-    wall.outline.kind = SPH2D_OUTLINE_BOX;
-    wall.outline.box = (sph2d_box){{0.5, 0}, {0.7, 0.5}};
+    wall.shape.kind = SPH2D_SHAPE_BOX;
+    wall.shape.box = (sph2d_box){{0.5, 0}, {0.7, 0.5}};
     channel.scene.obstacles = &wall;
     channel.scene.obstacle_count = 1;
 }
@@ -58,12 +58,12 @@ START_TEST(an_outlet_behind_a_wall_is_told)
 {
     lay_basin();
     ck_assert(says("openings[0]", "no liquid can get there"));
-    wall.outline.box.max.y = 0.45; /* over it, once it splashes */
+    wall.shape.box.max.y = 0.45; /* over it, once it splashes */
     ck_assert(says("", NULL));
-    wall.outline.box.max.y = 0.5;
-    wall.outline.box.min.y = 0.05;
+    wall.shape.box.max.y = 0.5;
+    wall.shape.box.min.y = 0.05;
     ck_assert(says("", NULL));
-    wall.outline.box.min.y = 0;
+    wall.shape.box.min.y = 0;
     put_source(0.8, 0.3);
     ck_assert(says("", NULL));
     channel.scene.source_count = 0;
@@ -77,8 +77,8 @@ START_TEST(an_outlet_behind_a_line_is_told)
 {
     static const sph2d_vec2 ends[2] = {{0.5, 0}, {0.7, 0.5}};
     lay_basin();
-    wall.outline.kind = SPH2D_OUTLINE_LINE;
-    wall.outline.line = (sph2d_points){ends, 2};
+    wall.shape.kind = SPH2D_SHAPE_LINE;
+    wall.shape.points = (sph2d_points){ends, 2};
     ck_assert(says("openings[0]", "no liquid can get there"));
     channel.openings[0].pressure = NAN; /* from there, through the opening itself */
     channel.openings[0].velocity = 0.1;

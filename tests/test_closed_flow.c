@@ -31,9 +31,9 @@ static void lay_duct(void)
     scene.openings = openings;
     scene.opening_count = 2;
     plates[0] = plates[1] = sph2d_obstacle_default();
-    plates[0].outline.kind = plates[1].outline.kind = SPH2D_OUTLINE_BOX;
-    plates[0].outline.box = (sph2d_box){{0.6, 0}, {0.72, 0.21}};
-    plates[1].outline.box = (sph2d_box){{0.6, 0.39}, {0.72, 0.6}};
+    plates[0].shape.kind = plates[1].shape.kind = SPH2D_SHAPE_BOX;
+    plates[0].shape.box = (sph2d_box){{0.6, 0}, {0.72, 0.21}};
+    plates[1].shape.box = (sph2d_box){{0.6, 0.39}, {0.72, 0.6}};
     scene.obstacles = plates;
 }
 
@@ -54,14 +54,14 @@ START_TEST(corners_and_lines_are_throats_and_walls_are_none)
 {
     static const sph2d_vec2 corners[] = {{0.8, 0}, {1.2, 0}, {1, 0.3}}, line[] = {{1, 0.3}, {1, 0.6}};
     scene.obstacle_count = 1;
-    plates[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {corners, 3}};
+    plates[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {corners, 3}};
     double half = 0.5 / (0.5 * (0.63 + 0.37 * 0.125));
     ck_assert_double_eq_tol(sph2d__throat_speed(&scene), half, 0.01 * half);
-    plates[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_LINE, .line = {line, 2}};
+    plates[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {line, 2}};
     ck_assert_double_ge(sph2d__throat_speed(&scene), half); /* it is half a spacing thick */
     ck_assert_double_lt(sph2d__throat_speed(&scene), 1.1 * half);
     for (int gap = 0; gap < 2; ++gap) { /* of a spacing and a half; it passes nothing */
-        plates[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.6, gap * 0.03}, {0.7, 0.6}}};
+        plates[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.6, gap * 0.03}, {0.7, 0.6}}};
         ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5, 1e-9);
     }
 }
@@ -70,7 +70,7 @@ END_TEST
 START_TEST(a_step_behind_the_inlet_is_no_throat)
 {
     scene.obstacle_count = 1;
-    plates[0].outline.box = (sph2d_box){{0, 0}, {0.5, 0.3}};
+    plates[0].shape.box = (sph2d_box){{0, 0}, {0.5, 0.3}};
     openings[0].from = 0.3;
     ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5, 1e-9);
 }
@@ -89,7 +89,7 @@ START_TEST(the_jet_round_a_corner_is_half_as_wide)
     openings[1].side = SPH2D_SIDE_NAME_TOP;
     openings[1].from = 1.4;
     scene.obstacle_count = 1;
-    plates[0].outline.box = (sph2d_box){{0, 0.3}, {1.4, 0.6}};
+    plates[0].shape.box = (sph2d_box){{0, 0.3}, {1.4, 0.6}};
     openings[0].to = 0.3;
     ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 / 0.53, 1e-9);
 }
@@ -103,15 +103,15 @@ START_TEST(the_gap_between_the_outer_bank_and_an_outlet_is_no_throat)
     openings[1].from = 1.5;
     openings[0].to = 0.3;
     scene.obstacle_count = 2;
-    plates[0].outline.box = (sph2d_box){{0, 0.3}, {1.5, 0.6}};
-    plates[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {bank, 3}};
+    plates[0].shape.box = (sph2d_box){{0, 0.3}, {1.5, 0.6}};
+    plates[1].shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {bank, 3}};
     ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 / 0.53, 1e-9);
     /* but a plate in the leg to the outlet is one, and one between inlet and bend */
-    plates[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{1.8, 0.4}, {2, 0.45}}};
+    plates[1].shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{1.8, 0.4}, {2, 0.45}}};
     ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 / 0.53, 1e-9); /* 0.3 m, as the inlet */
-    plates[1].outline.box.min.x = 1.6;
+    plates[1].shape.box.min.x = 1.6;
     ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 * 3 / 0.53, 0.05);
-    plates[1].outline.box = (sph2d_box){{0.4, 0}, {0.5, 0.15}};
+    plates[1].shape.box = (sph2d_box){{0.4, 0}, {0.5, 0.15}};
     ck_assert_double_eq_tol(sph2d__throat_speed(&scene), 0.5 * 2 / 0.53, 0.05);
 }
 END_TEST

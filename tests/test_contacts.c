@@ -92,7 +92,7 @@ END_TEST
 /** A wall moves along x to a disc of radius 0.05 at x, from 0.2; without gravity. */
 static uint32_t wall_meets_disc(contact_world *w, double x, double speed)
 {
-    sph2d_outline outline = {.kind = SPH2D_OUTLINE_BOX, .box = {{0.1, 0.3}, {0.2, 0.7}}};
+    sph2d_shape outline = {.kind = SPH2D_SHAPE_BOX, .box = {{0.1, 0.3}, {0.2, 0.7}}};
     w->gravity.y = 0;
     world_obstacle(w, outline, (sph2d_vec2){0.15, 0.5});
     w->walls[0].velocity.x = speed;
@@ -123,7 +123,7 @@ START_TEST(moving_walls)
     w->gravity.y = 0;
     a = world_disc(w, 0.7, 0.6, 0.05);
     sph2d_vec2 bar[2] = {{0.5, 0.5}, {0.8, 0.5}};
-    world_obstacle(w, (sph2d_outline){.kind = SPH2D_OUTLINE_LINE, .line = {bar, 2}}, bar[0]);
+    world_obstacle(w, (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {bar, 2}}, bar[0]);
     w->walls[0].rate = 5;
     world_run(w, 200);
     ck_assert_double_gt(w->states[a].velocity.y, 0.5);
@@ -173,7 +173,7 @@ START_TEST(fast)
     static const sph2d_vec2 line[3] = {{0, 0.3}, {0.5, 0.2}, {1, 0.3}};
     for (int i = 0; i < 20; ++i) {
         contact_world *w = world_new();
-        world_obstacle(w, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {line, 3}}, line[1]);
+        world_obstacle(w, (sph2d_shape){.kind = SPH2D_SHAPE_POLYLINE, .points = {line, 3}}, line[1]);
         uint32_t a = i % 2 ? world_disc(w, 0.1 + 0.04 * i, 0.6, 0.005) : world_box(w, 0.1 + 0.04 * i, 0.6, 0.03, 0.004);
         w->states[a].velocity = (sph2d_vec2){3 * (i % 3 - 1), -40};
         w->states[a].rate = i % 2 ? 0 : 100;
@@ -207,9 +207,9 @@ START_TEST(hollow)
     static const sph2d_vec2 bowl[6] = {{0.2, 0.5}, {0.4, 0.1}, {0.6, 0.1}, {0.8, 0.5}, {0.55, 0.9}, {0.5, 0.6}};
     for (int i = 0; i < 3; ++i) {
         contact_world *w = world_new();
-        sph2d_outline outlines[3] = {{.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.5, 0.5}, 0.3}},
-                                     {.kind = SPH2D_OUTLINE_BOX, .box = {{0.25, 0.25}, {0.75, 0.75}}},
-                                     {.kind = SPH2D_OUTLINE_POLYGON, .polygon = {bowl, 6}}};
+        sph2d_shape outlines[3] = {{.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.5, 0.5}, 0.3}},
+                                   {.kind = SPH2D_SHAPE_BOX, .box = {{0.25, 0.25}, {0.75, 0.75}}},
+                                   {.kind = SPH2D_SHAPE_POLYGON, .points = {bowl, 6}}};
         world_obstacle(w, outlines[i], (sph2d_vec2){0.5, 0.5});
         w->obstacles[0].liquid = SPH2D_LIQUID_INSIDE;
         uint32_t a = world_disc(w, 0.45, 0.5, 0.05), b = world_box(w, 0.56, 0.5, 0.08, 0.06);

@@ -99,12 +99,12 @@ START_TEST(obstacles_raise_the_level)
     sph2d_obstacle obstacle = sph2d_obstacle_default();
     static const sph2d_vec2 wall[2] = {{0.2, 0}, {0.2, 0.3}};
     if (_i == 0) {
-        obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-        obstacle.outline.circle = (sph2d_disc){{0.3, 0.1}, 0.06};
+        obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+        obstacle.shape.circle = (sph2d_circle){{0.3, 0.1}, 0.06};
     } else {
-        obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-        obstacle.outline.line.items = wall;
-        obstacle.outline.line.count = 2;
+        obstacle.shape.kind = SPH2D_SHAPE_LINE;
+        obstacle.shape.points.items = wall;
+        obstacle.shape.points.count = 2;
     }
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;

@@ -25,7 +25,7 @@ static sph2d_sim *tank(sph2d_method method)
     scene.blocks = &block;
     scene.block_count = 1;
     disc = sph2d_obstacle_default();
-    disc.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{1.4, 0.7}, 0.2}};
+    disc.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{1.4, 0.7}, 0.2}};
     disc.motion.amplitude = (sph2d_vec2){0.05, 0};
     disc.motion.frequency = 1;
     scene.obstacles = &disc;
@@ -113,7 +113,7 @@ START_TEST(liquid_is_removed_with_its_energy)
 {
     sph2d_sim *sim = tank(methods[_i]);
     test_steps(sim, 20);
-    const sph2d_shape shape = {.kind = SPH2D_SHAPE_DISC, .disc = {{0.6, 0.16}, 0.1}};
+    const sph2d_shape shape = {.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.6, 0.16}, 0.1}};
     const size_t before = sph2d_sim_fluid(sim).count;
     size_t removed = 0;
     ck_assert_int_eq(sph2d_sim_remove_particles(sim, &shape, &removed), SPH2D_OK);
@@ -135,10 +135,10 @@ START_TEST(liquid_is_removed_with_its_energy)
     const sph2d_shape bad[] = {{.kind = SPH2D_SHAPE_NONE},
                                {.kind = SPH2D_SHAPE_BOX, .box = {{1, 0}, {0, 1}}},
                                {.kind = SPH2D_SHAPE_BOX, .box = {{0, 0}, {1, NAN}}},
-                               {.kind = SPH2D_SHAPE_DISC, .disc = {{0, 0}, -1}},
-                               {.kind = SPH2D_SHAPE_DISC, .disc = {{0, INFINITY}, 1}},
-                               {.kind = SPH2D_SHAPE_POLYGON, .polygon = {NULL, 3}},
-                               {.kind = SPH2D_SHAPE_POLYGON, .polygon = {&(sph2d_vec2){0, 0}, 1}}};
+                               {.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0, 0}, -1}},
+                               {.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0, INFINITY}, 1}},
+                               {.kind = SPH2D_SHAPE_POLYGON, .points = {NULL, 3}},
+                               {.kind = SPH2D_SHAPE_POLYGON, .points = {&(sph2d_vec2){0, 0}, 1}}};
     for (size_t k = 0; k < sizeof bad / sizeof bad[0]; ++k)
         ck_assert_int_eq(sph2d_sim_remove_particles(sim, &bad[k], NULL), SPH2D_INVALID);
     const sph2d_shape all = {.kind = SPH2D_SHAPE_BOX, .box = {{-1, -1}, {3, 3}}};
@@ -156,7 +156,7 @@ START_TEST(an_edited_run_is_resumed)
     test_steps(sim, 20);
     sph2d_particle drops[25];
     const size_t count = make_drops(drops);
-    const sph2d_shape shape = {.kind = SPH2D_SHAPE_DISC, .disc = {{0.6, 0.16}, 0.1}};
+    const sph2d_shape shape = {.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.6, 0.16}, 0.1}};
     ck_assert_int_eq(sph2d_sim_add_particles(sim, drops, count, NULL), SPH2D_OK);
     ck_assert_int_eq(sph2d_sim_remove_particles(sim, &shape, NULL), SPH2D_OK);
     const sph2d_state state = sph2d_sim_state(sim);

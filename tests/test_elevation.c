@@ -153,9 +153,9 @@ static sph2d_sim *rested(double angle, const double places[PLACES], int threads)
     scene.method = sph2d_scene_default().method;
     scene.gravity.y = -9.81;
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {wall, count}};
+    obstacle.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYLINE, .points = {wall, count}};
     sph2d_block block = sph2d_block_default();
-    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .polygon = {liquid, count}};
+    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {liquid, count}};
     block.start.flow = (sph2d_flow){.kind = SPH2D_FLOW_STILL, .center = {0, LEVEL}};
     static const char *const names[PLACES] = {"a", "b", "c", "d", "e", "f", "g", "h", "i"};
     sph2d_probe probes[PLACES];

@@ -237,7 +237,7 @@ static sph2d_status check_outlines(size_t count, size_t points, sph2d_report *re
         for (size_t k = 0; k < points; ++k)
             at[i * points + k] = (sph2d_vec2){(double)k / (double)points, 0.5 + 0.4 * (double)i / (double)count};
         obstacles[i] = sph2d_obstacle_default();
-        obstacles[i].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {at + i * points, points}};
+        obstacles[i].shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYLINE, .points = {at + i * points, points}};
     }
     scene.blocks = &block;
     scene.block_count = 1;

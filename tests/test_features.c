@@ -129,8 +129,8 @@ static void set_drain(stage *s)
 static void set_obstacle(stage *s, sph2d_wall_form form)
 {
     s->obstacle = sph2d_obstacle_default();
-    s->obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    s->obstacle.outline.circle = (sph2d_disc){{0.5, 0.5}, 0.2};
+    s->obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+    s->obstacle.shape.circle = (sph2d_circle){{0.5, 0.5}, 0.2};
     s->obstacle.form = form;
     s->scene.obstacles = &s->obstacle;
     s->scene.obstacle_count = 1;

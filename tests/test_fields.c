@@ -24,8 +24,8 @@ static sph2d_sim *pool(void)
     sph2d_block block = test_block(0, 0, 0.3, 0.2);
     sph2d_vec2 ends[2] = {{0.6, 0.1}, {0.8, 0.1}};
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    obstacle.outline.line = (sph2d_points){ends, 2};
+    obstacle.shape.kind = SPH2D_SHAPE_LINE;
+    obstacle.shape.points = (sph2d_points){ends, 2};
     scene.gravity.y = -9.81;
     scene.blocks = &block;
     scene.block_count = 1;

@@ -84,17 +84,17 @@ static double skin_of(sph2d_obstacle *obstacle)
 START_TEST(boundary_particles_stand_for_the_whole_surface)
 {
     sph2d_obstacle o = sph2d_obstacle_default();
-    o.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    o.outline.circle = (sph2d_disc){{1.5, 1.5}, 0.5};
+    o.shape.kind = SPH2D_SHAPE_CIRCLE;
+    o.shape.circle = (sph2d_circle){{1.5, 1.5}, 0.5};
     ck_assert_double_eq_tol(skin_of(&o), TEST_PI, 2e-3);
-    o.outline.kind = SPH2D_OUTLINE_BOX;
-    o.outline.box = (sph2d_box){{1, 1}, {1.8, 1.4}};
+    o.shape.kind = SPH2D_SHAPE_BOX;
+    o.shape.box = (sph2d_box){{1, 1}, {1.8, 1.4}};
     ck_assert_double_eq_tol(skin_of(&o), 2.4, 1e-12);
-    o.outline.box = (sph2d_box){{1, 1}, {1.8, 1.13}}; /* so thin that its layers meet */
+    o.shape.box = (sph2d_box){{1, 1}, {1.8, 1.13}}; /* so thin that its layers meet */
     ck_assert_double_eq_tol(skin_of(&o), 1.86, 1e-12);
     static const sph2d_vec2 bend[3] = {{0.5, 2}, {1.5, 1}, {2.5, 1}};
-    o.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    o.outline.polyline = (sph2d_points){bend, 3};
+    o.shape.kind = SPH2D_SHAPE_POLYLINE;
+    o.shape.points = (sph2d_points){bend, 3};
     o.liquid = SPH2D_LIQUID_LEFT;
     ck_assert_double_eq_tol(skin_of(&o), 1 + sqrt(2), 1e-12);
     ck_assert_double_eq_tol(skin_of(NULL), 12, 1e-12);
@@ -116,8 +116,8 @@ START_TEST(a_row_wets_what_is_below_it)
     const double dx = 0.01, u = 2, mu = 0.1, floor = _i ? 0.1 : 0;
     channel(dx, 0.4, 0.2, mu);
     sph2d_obstacle plate = sph2d_obstacle_default();
-    plate.outline.kind = SPH2D_OUTLINE_BOX;
-    plate.outline.box = (sph2d_box){{0.03, floor - 2 * dx}, {0.37, floor}};
+    plate.shape.kind = SPH2D_SHAPE_BOX;
+    plate.shape.box = (sph2d_box){{0.03, floor - 2 * dx}, {0.37, floor}};
     scene.obstacles = &plate;
     scene.obstacle_count = _i ? 1 : 0;
     block = test_block(0.1, floor, 0.25, floor + dx);
@@ -233,8 +233,8 @@ START_TEST(walls_tell_the_force_that_liquid_gets)
 {
     channel(0.05, 1.5, 1.5, 0.5);
     sph2d_obstacle disc = sph2d_obstacle_default();
-    disc.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    disc.outline.circle = (sph2d_disc){{0.6, 0.5}, 0.2};
+    disc.shape.kind = SPH2D_SHAPE_CIRCLE;
+    disc.shape.circle = (sph2d_circle){{0.6, 0.5}, 0.2};
     scene.obstacles = &disc;
     scene.obstacle_count = 1;
     scene.gravity = (sph2d_vec2){0, 0};
@@ -269,8 +269,8 @@ START_TEST(threads_do_not_matter)
     channel(0.01, 1.2, 0.6, 0.01);
     static const sph2d_vec2 slope[2] = {{0.8, 0.02}, {1.1, 0.3}};
     sph2d_obstacle ramp = sph2d_obstacle_default();
-    ramp.outline.kind = SPH2D_OUTLINE_LINE;
-    ramp.outline.line = (sph2d_points){slope, 2};
+    ramp.shape.kind = SPH2D_SHAPE_LINE;
+    ramp.shape.points = (sph2d_points){slope, 2};
     scene.obstacles = &ramp;
     scene.obstacle_count = 1;
     block = test_block(0.05, 0, 0.75, 0.4);

@@ -18,7 +18,7 @@ static struct {
 static sph2d_body box(double x0, double y0, double x1, double y1)
 {
     sph2d_body body = sph2d_body_default();
-    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{x0, y0}, {x1, y1}}};
+    body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{x0, y0}, {x1, y1}}};
     body.density = 500;
     return body;
 }
@@ -117,7 +117,7 @@ START_TEST(a_gap_with_a_dry_end_has_no_pressure)
     start_tank(_i);
     hold(&tank.bodies[0]);
     tank.block = test_block(0, 0, 0.3, DEPTH);
-    tank.bodies[0].outline.box = (sph2d_box){{0.3, 0}, {0.5, 0.6}};
+    tank.bodies[0].shape.box = (sph2d_box){{0.3, 0}, {0.5, 0.6}};
     sph2d_sim *sim = test_create(&tank.scene, NULL);
     for (int k = 0; k < 40; ++k) {
         test_steps(sim, 1);

@@ -181,8 +181,8 @@ START_TEST(a_hint_on_an_escape_names_what_squeezes)
     sph2d_block block;
     sph2d_scene scene = dam(&block);
     sph2d_obstacle gate = sph2d_obstacle_default();
-    gate.outline.kind = SPH2D_OUTLINE_BOX;
-    gate.outline.box = (sph2d_box){{0.9, 0.3}, {0.99, 0.6}};
+    gate.shape.kind = SPH2D_SHAPE_BOX;
+    gate.shape.box = (sph2d_box){{0.9, 0.3}, {0.99, 0.6}};
     gate.motion.rate = _i == 1 ? 1e-9 : 0;
     scene.obstacles = &gate;
     scene.obstacle_count = 1;

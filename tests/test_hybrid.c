@@ -267,8 +267,8 @@ START_TEST(a_piston_raises_the_liquid)
     tank.scene.domain.max.y = 1;
     tank.blocks[0] = test_block(0.1, 0, 1, 0.5);
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    tank.obstacle.outline.box = (sph2d_box){{0, 0}, {0.1, 1}};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    tank.obstacle.shape.box = (sph2d_box){{0, 0}, {0.1, 1}};
     push(0.2);
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;
@@ -296,8 +296,8 @@ START_TEST(a_piston_pays_for_what_it_lifts)
         tank.scene.boundary.left = tank.scene.boundary.right = SPH2D_SIDE_PERIODIC;
     tank.blocks[0] = test_block(0, 0.1, 1, 0.5);
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    tank.obstacle.outline.box = (sph2d_box){{0, 0}, {1, 0.1}};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    tank.obstacle.shape.box = (sph2d_box){{0, 0}, {1, 0.1}};
     static sph2d_pose_point path[] = {{0, 0, 0, 0}, {0.2, 0, 0, 0}, {1.2, 0, 0.2, 0}, {2, 0, 0.2, 0}};
     tank.obstacle.motion.path = (sph2d_pose_path){path, 4};
     tank.scene.obstacles = &tank.obstacle;
@@ -318,8 +318,8 @@ START_TEST(liquid_is_held_by_a_circle)
 {
     basin(1, 0.5);
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    tank.obstacle.outline.circle = (sph2d_disc){{0.5, 0.25}, 0.1};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+    tank.obstacle.shape.circle = (sph2d_circle){{0.5, 0.25}, 0.1};
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;
     tank_start();
@@ -336,9 +336,9 @@ START_TEST(a_slit_is_no_channel)
     sph2d_obstacle boxes[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
     basin(1, 0.4);
     for (int k = 0; k < 2; ++k)
-        boxes[k].outline.kind = SPH2D_OUTLINE_BOX;
-    boxes[0].outline.box = (sph2d_box){{0.3, 0.15}, {0.5, 0.95}};
-    boxes[1].outline.box = (sph2d_box){{0.5 + 0.1 * DX, 0.15}, {0.7, 0.95}};
+        boxes[k].shape.kind = SPH2D_SHAPE_BOX;
+    boxes[0].shape.box = (sph2d_box){{0.3, 0.15}, {0.5, 0.95}};
+    boxes[1].shape.box = (sph2d_box){{0.5 + 0.1 * DX, 0.15}, {0.7, 0.95}};
     tank.scene.domain.max.y = 1;
     tank.scene.obstacles = boxes;
     tank.scene.obstacle_count = 2;
@@ -358,15 +358,15 @@ START_TEST(a_narrow_channel_is_told)
     sph2d_obstacle boxes[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
     basin(1, 0.4);
     for (int k = 0; k < 2; ++k) {
-        boxes[k].outline.kind = SPH2D_OUTLINE_BOX;
-        boxes[k].outline.box = (sph2d_box){{0, 0.5}, {slots[_i % 4][0], 0.6}};
+        boxes[k].shape.kind = SPH2D_SHAPE_BOX;
+        boxes[k].shape.box = (sph2d_box){{0, 0.5}, {slots[_i % 4][0], 0.6}};
     }
-    boxes[1].outline.box = (sph2d_box){{slots[_i % 4][1], 0.5}, {1, 0.6}};
+    boxes[1].shape.box = (sph2d_box){{slots[_i % 4][1], 0.5}, {1, 0.6}};
     if (_i == 2)
-        boxes[0].outline.box.min.x = slots[2][0], boxes[0].outline.box.max.x = 1;
+        boxes[0].shape.box.min.x = slots[2][0], boxes[0].shape.box.max.x = 1;
     if (_i == 4) {
-        boxes[0].outline.kind = SPH2D_OUTLINE_POLYGON;
-        boxes[0].outline.polygon = (sph2d_points){wedge, 3};
+        boxes[0].shape.kind = SPH2D_SHAPE_POLYGON;
+        boxes[0].shape.points = (sph2d_points){wedge, 3};
     }
     tank.scene.domain.max.y = 1;
     tank.scene.block_count = 0;
@@ -471,8 +471,8 @@ static void float_box(double y, double density)
 {
     basin(1.2, 0.5);
     raft = sph2d_body_default();
-    raft.outline.kind = SPH2D_OUTLINE_BOX;
-    raft.outline.box = (sph2d_box){{0.45, y - 0.1}, {0.75, y + 0.1}};
+    raft.shape.kind = SPH2D_SHAPE_BOX;
+    raft.shape.box = (sph2d_box){{0.45, y - 0.1}, {0.75, y + 0.1}};
     raft.density = density;
     tank.scene.bodies = &raft;
     tank.scene.body_count = 1;
@@ -504,8 +504,8 @@ START_TEST(a_ball_leaves_the_floor)
     const double density = 700, time = 0.3, lift = (1000 - density) * G;
     float_box(0.25, density);
     sph2d_sim_destroy(tank.sim);
-    raft.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    raft.outline.circle = (sph2d_disc){{0.6, 0.1}, 0.1};
+    raft.shape.kind = SPH2D_SHAPE_CIRCLE;
+    raft.shape.circle = (sph2d_circle){{0.6, 0.1}, 0.1};
     tank_start();
     run_until(time);
     const double t = sph2d_sim_time(tank.sim), rise = sph2d_sim_body(tank.sim, 0).center.y - 0.1;
@@ -542,8 +542,8 @@ START_TEST(a_thin_wall_holds_a_tank)
     basin(1, 0.4);
     tank.blocks[0] = test_block(0, 0, 0.5, 0.4);
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    tank.obstacle.outline.box = (sph2d_box){{0.5, 0}, {0.5 + 0.1 * DX, 0.7}};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    tank.obstacle.shape.box = (sph2d_box){{0.5, 0}, {0.5 + 0.1 * DX, 0.7}};
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;
     tank_start();
@@ -649,8 +649,8 @@ static void splash(void)
     tank.scene.domain.max.y = 1;
     tank_add(0.3, 0.5, 0.6, 0.9);
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    tank.obstacle.outline.circle = (sph2d_disc){{0.7, 0.3}, 0.1};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+    tank.obstacle.shape.circle = (sph2d_circle){{0.7, 0.3}, 0.1};
     push(-0.3);
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;

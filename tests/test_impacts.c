@@ -15,8 +15,8 @@ START_TEST(a_drop_falls_freely_and_splashes_no_faster_than_it_came)
     tank_empty(both[_i], DX, 1, 0.8, 1e-3);
     tank_add(0, 0, 1, pool);
     tank.blocks[1] = sph2d_block_default();
-    tank.blocks[1].shape.kind = SPH2D_SHAPE_DISC;
-    tank.blocks[1].shape.disc = (sph2d_disc){{0.5, bottom + 0.1}, 0.1};
+    tank.blocks[1].shape.kind = SPH2D_SHAPE_CIRCLE;
+    tank.blocks[1].shape.circle = (sph2d_circle){{0.5, bottom + 0.1}, 0.1};
     tank.blocks[2] = test_particle(DX, 0.15, 0.55, -0.5, 1);
     tank.scene.block_count = 3;
     tank_start();
@@ -81,8 +81,8 @@ START_TEST(no_jet_passes_a_thin_wall)
     const double speed = 10 * sqrt(G * 0.3);
     tank_empty(kinds[_i / TARGETS].method, DX, 1, 1, 1e-3);
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    tank.obstacle.outline.polyline = (sph2d_points){points[target], counts[target]};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_POLYLINE;
+    tank.obstacle.shape.points = (sph2d_points){points[target], counts[target]};
     tank.obstacle.form = kinds[_i / TARGETS].form;
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;

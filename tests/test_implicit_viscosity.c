@@ -123,8 +123,8 @@ START_TEST(a_disc_goes_on_turning)
     thick(dx, 1, 1, 2e3);
     scene.domain = (sph2d_box){{-1, -1}, {1, 1}};
     scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
-    block.shape.kind = SPH2D_SHAPE_DISC;
-    block.shape.disc = (sph2d_disc){{0, 0}, 0.2};
+    block.shape.kind = SPH2D_SHAPE_CIRCLE;
+    block.shape.circle = (sph2d_circle){{0, 0}, 0.2};
     scene.method.sound_speed = 10;
     sph2d_sim *sim = test_create(&scene, NULL);
     sph2d__store *f = &sim->system.fluid;

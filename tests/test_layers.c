@@ -6,7 +6,7 @@
 
 #include "base/pi.h"
 #include "common.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "sim/simulation.h"
 
 static const double DX = 0.01;
@@ -84,8 +84,8 @@ END_TEST
 
 START_TEST(a_solid_box_has_layers_inside)
 {
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.5, 0.4}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.2, 0.2}, {0.5, 0.4}};
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d__store *w = &sim->system.walls;
     for (size_t i = 0; i < w->count; ++i) {
@@ -103,8 +103,8 @@ END_TEST
 
 START_TEST(a_thin_solid_is_filled_once)
 {
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.24, 0.6}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.2, 0.2}, {0.24, 0.6}};
     sph2d_sim *sim = test_create(&scene, NULL);
     ck_assert_double_eq_tol(area_of(sim), 0.04 * 0.4, 1e-9);
     ck_assert_double_gt(closest(sim), 0.65 * DX);
@@ -116,8 +116,8 @@ START_TEST(a_solid_thinner_than_its_layers_is_filled_once_whatever_its_thickness
 {
     static const double thickness[] = {0.4, 1, 1.5, 2, 2.9, 3, 3.1, 4.4, 5, 5.7}; /* spacings */
     double t = thickness[_i] * DX;
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.2 + t, 0.6}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.2, 0.2}, {0.2 + t, 0.6}};
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d__store *w = &sim->system.walls;
     double moment = 0;
@@ -139,13 +139,13 @@ START_TEST(a_sharp_corner_is_filled_once_up_to_its_tip)
     sph2d_vec2 corners[] = {{0.2, 0.3},
                             {0.2 + length * cos(angle / 2), 0.3 - length * sin(angle / 2)},
                             {0.2 + length * cos(angle / 2), 0.3 + length * sin(angle / 2)}};
-    obstacle.outline.kind = SPH2D_OUTLINE_POLYGON;
-    obstacle.outline.polygon = (sph2d_points){corners, 3};
+    obstacle.shape.kind = SPH2D_SHAPE_POLYGON;
+    obstacle.shape.points = (sph2d_points){corners, 3};
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d__store *w = &sim->system.walls;
     double whole = length * length * sin(angle) / 2, along = 0, skin = 0;
     for (size_t i = 0; i < w->count; ++i) {
-        ck_assert(sph2d__outline_encloses(&obstacle.outline, (sph2d_vec2){w->x[i], w->y[i]}));
+        ck_assert(sph2d__shape_contains(&obstacle.shape, (sph2d_vec2){w->x[i], w->y[i]}));
         along += w->mass[i] / scene.fluid.density * (w->x[i] - 0.2);
         skin += w->skin ? w->skin[i] : 0;
     }
@@ -162,8 +162,8 @@ START_TEST(a_trough_has_layers_on_all_its_faces)
 {
     static const sph2d_vec2 corners[] = {{0.2, 0.2}, {0.8, 0.2}, {0.8, 0.7}, {0.7, 0.7},
                                          {0.7, 0.3}, {0.3, 0.3}, {0.3, 0.7}, {0.2, 0.7}};
-    obstacle.outline.kind = SPH2D_OUTLINE_POLYGON;
-    obstacle.outline.polygon = (sph2d_points){corners, 8};
+    obstacle.shape.kind = SPH2D_SHAPE_POLYGON;
+    obstacle.shape.points = (sph2d_points){corners, 8};
     sph2d_sim *sim = test_create(&scene, NULL);
     double whole = 0.6 * 0.5 - 0.4 * 0.4, inside = 0.54 * 0.44 - 0.46 * 0.4; /* deeper than the layers */
     ck_assert_msg(fabs(area_of(sim) / (whole - inside) - 1) < 0.01, "%g of %g", area_of(sim), whole - inside);
@@ -173,8 +173,8 @@ END_TEST
 
 START_TEST(a_circle_has_rings_of_its_area)
 {
-    obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    obstacle.outline.circle = (sph2d_disc){{0.5, 0.5}, 0.1};
+    obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+    obstacle.shape.circle = (sph2d_circle){{0.5, 0.5}, 0.1};
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d__store *w = &sim->system.walls;
     for (size_t i = 0; i < w->count; ++i) {
@@ -192,8 +192,8 @@ static sph2d_vec2 vessel[3] = {{0.2, 0.6}, {0.5, 0.3}, {0.8, 0.6}};
 
 START_TEST(a_polyline_has_mitred_layers_on_its_right)
 {
-    obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacle.outline.polyline = (sph2d_points){vessel, 3};
+    obstacle.shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacle.shape.points = (sph2d_points){vessel, 3};
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d__store *w = &sim->system.walls;
     double length = 2 * 0.3 * sqrt(2), thick = LAYERS * DX;
@@ -211,8 +211,8 @@ END_TEST
 
 START_TEST(a_swinging_wall_is_where_its_law_says)
 {
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.5, 0.4}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.2, 0.2}, {0.5, 0.4}};
     obstacle.motion = (sph2d_motion){.amplitude = {0.05, -0.02}, .frequency = 1.5, .phase = 0.7};
     scene.method.time_step = 1e-3;
     sph2d_sim *still = test_create(&scene, NULL), *sim = test_create(&scene, NULL);
@@ -240,8 +240,8 @@ END_TEST
  *  at right angles to the arm. */
 START_TEST(layers_turn_with_their_wall)
 {
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.5, 0.4}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.2, 0.2}, {0.5, 0.4}};
     obstacle.motion = sph2d_motion_default();
     obstacle.motion.rate = 3;
     scene.method.time_step = 1e-3;
@@ -270,8 +270,8 @@ END_TEST
 START_TEST(a_piston_pushes_a_lone_particle_and_is_never_passed)
 {
     static sph2d_pose_point way[2] = {{0.1, 0, 0, 0}, {0.2, 0.4, 0, 0}}; /* 4 m/s */
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.2, 0.2}, {0.3, 0.8}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.2, 0.2}, {0.3, 0.8}};
     obstacle.motion.path = (sph2d_pose_path){way, 2};
     block = test_particle(DX, 0.45, 0.5, -2, 0.1);
     sph2d_sim *sim = test_create(&scene, NULL);
@@ -288,8 +288,8 @@ END_TEST
 
 START_TEST(a_run_with_moving_walls_goes_on_from_its_state_bit_by_bit)
 {
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.2, 0.0}, {0.3, 0.3}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.2, 0.0}, {0.3, 0.3}};
     obstacle.motion = (sph2d_motion){.amplitude = {0.03, 0}, .angle = 0.1, .frequency = 4, .center = {0.25, 0.15}};
     scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
     scene.gravity.y = -9.81;

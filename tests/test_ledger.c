@@ -96,9 +96,9 @@ START_TEST(a_wall_at_rest_takes_what_it_stops)
     scene.method.sound_speed = 10;
     sph2d_vec2 ends[2] = {{0.5, 0}, {0.5 + 0.3 * _i, 1}};
     sph2d_obstacle wall = sph2d_obstacle_default();
-    wall.outline.kind = SPH2D_OUTLINE_LINE;
-    wall.outline.line.items = ends;
-    wall.outline.line.count = 2;
+    wall.shape.kind = SPH2D_SHAPE_LINE;
+    wall.shape.points.items = ends;
+    wall.shape.points.count = 2;
     wall.form = SPH2D_WALL_REFLECT;
     scene.obstacles = &wall;
     scene.obstacle_count = 1;
@@ -129,8 +129,8 @@ START_TEST(forces_of_walls_are_the_whole_change_of_momentum)
     scene.method.max_compression = 0.5; /* nobody is corrected by himself */
     scene.fluid.dynamic_viscosity = 5;
     sph2d_obstacle disc = sph2d_obstacle_default();
-    disc.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    disc.outline.circle = (sph2d_disc){{0.5, 0.5}, 0.15};
+    disc.shape.kind = SPH2D_SHAPE_CIRCLE;
+    disc.shape.circle = (sph2d_circle){{0.5, 0.5}, 0.15};
     scene.obstacles = &disc;
     scene.obstacle_count = 1;
     scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
@@ -183,9 +183,9 @@ START_TEST(moving_walls_bring_what_liquid_gains)
         scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
         scene.gravity = (sph2d_vec2){0, -10};
         static const sph2d_vec2 corners[4] = {{0.2, 1}, {0.2, 0.2}, {0.8, 0.2}, {0.8, 1}};
-        box.outline.kind = SPH2D_OUTLINE_POLYLINE;
-        box.outline.polyline.items = corners;
-        box.outline.polyline.count = 4;
+        box.shape.kind = SPH2D_SHAPE_POLYLINE;
+        box.shape.points.items = corners;
+        box.shape.points.count = 4;
         box.motion.amplitude = (sph2d_vec2){0.02, 0.01};
         box.motion.frequency = 1;
         scene.obstacles = &box;
@@ -363,8 +363,8 @@ START_TEST(energy_from_nothing_stops_every_method)
     scene.gravity = (sph2d_vec2){0, -10};
     scene.run.max_energy_rise = _i < 4 ? 0 : 1e6;
     sph2d_obstacle disc = sph2d_obstacle_default();
-    disc.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    disc.outline.circle = (sph2d_disc){{0.7, 0.5}, 0.1};
+    disc.shape.kind = SPH2D_SHAPE_CIRCLE;
+    disc.shape.circle = (sph2d_circle){{0.7, 0.5}, 0.1};
     disc.motion.amplitude = (sph2d_vec2){0.01, 0};
     disc.motion.frequency = 1;
     scene.obstacles = &disc;

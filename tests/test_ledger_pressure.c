@@ -97,9 +97,9 @@ START_TEST(pressures_take_what_impacts_lose)
         scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
     sph2d_obstacle box = sph2d_obstacle_default();
     if (what == SHAKE) {
-        box.outline.kind = SPH2D_OUTLINE_POLYLINE;
-        box.outline.polyline.items = corners;
-        box.outline.polyline.count = 4;
+        box.shape.kind = SPH2D_SHAPE_POLYLINE;
+        box.shape.points.items = corners;
+        box.shape.points.count = 4;
         box.motion.amplitude = (sph2d_vec2){0.05, 0};
         box.motion.frequency = 2;
         scene.obstacles = &box;

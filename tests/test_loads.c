@@ -32,7 +32,7 @@ static void flood_start(void)
     flood.scene.block_count = 1;
     flood.post = sph2d_obstacle_default();
     flood.post.name = "post";
-    flood.post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.6, 0.3}, 0.12}};
+    flood.post.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.6, 0.3}, 0.12}};
     flood.post.motion = (sph2d_motion){.amplitude = {0.03, 0.02}, .frequency = 2};
     flood.scene.obstacles = &flood.post;
     flood.scene.obstacle_count = 1;
@@ -371,7 +371,7 @@ START_TEST(power_of_a_mill_is_rate_times_torque)
 {
     double force[SPH2D_PROBE_MAX_COLUMNS], work[SPH2D_PROBE_MAX_COLUMNS];
     flood_start();
-    flood.post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.36, 0.2}, {0.8, 0.36}}};
+    flood.post.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.36, 0.2}, {0.8, 0.36}}};
     flood.post.motion = (sph2d_motion){.rate = -5, .center = {0.58, 0.28}};
     flood.probes[POST].at = flood.post.motion.center;
     flood.scene.wall_slip = SPH2D_SLIP_NONE;

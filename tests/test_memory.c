@@ -89,10 +89,10 @@ static void start(void)
     source.speed = 20; /* rows at a rate that outgrows the store within a few steps */
     drain = sph2d_drain_default();
     drain.shape.kind = SPH2D_SHAPE_POLYGON;
-    drain.shape.polygon = (sph2d_points){corners, 3};
+    drain.shape.points = (sph2d_points){corners, 3};
     obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacle.outline.polyline = (sph2d_points){points, 3};
+    obstacle.shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacle.shape.points = (sph2d_points){points, 3};
     pull = sph2d_interaction_default();
     pull.path = (sph2d_path){path, 2};
     pull.radius = 0.3;
@@ -199,8 +199,8 @@ END_TEST
 START_TEST(a_refused_scene_gives_everything_back)
 {
     /* Refused when most of it has been made: all places of the liquid are taken. */
-    obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    obstacle.outline.box = (sph2d_box){{0.05, 0.05}, {0.35, 0.35}};
+    obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    obstacle.shape.box = (sph2d_box){{0.05, 0.05}, {0.35, 0.35}};
     scene.source_count = 0;
     sph2d_sim_options options = counted(0);
     sph2d_sim *sim = NULL;

@@ -36,7 +36,7 @@ static void start_box(int method, int thing)
     box.scene.blocks = &box.block;
     box.scene.block_count = 1;
     box.obstacle = sph2d_obstacle_default();
-    box.obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.8, 0}, {0.92, 0.2}}};
+    box.obstacle.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.8, 0}, {0.92, 0.2}}};
     if (thing == MOVING) {
         box.obstacle.motion.amplitude = (sph2d_vec2){0.04, 0};
         box.obstacle.motion.frequency = 2;
@@ -44,7 +44,7 @@ static void start_box(int method, int thing)
     box.scene.obstacles = &box.obstacle;
     box.scene.obstacle_count = thing == OBSTACLE || thing == MOVING;
     box.body = sph2d_body_default();
-    box.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.44, 0.8}, {0.56, 0.92}}};
+    box.body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.44, 0.8}, {0.56, 0.92}}};
     box.body.density = 600;
     box.scene.bodies = &box.body;
     box.scene.body_count = thing == BODY;

@@ -27,8 +27,8 @@ static sph2d_sim *make(sph2d_isa isa, double ratio, double mu, bool walled, int 
     static sph2d_obstacle obstacle;
     static sph2d_block block;
     obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    obstacle.outline.line = (sph2d_points){line, 2};
+    obstacle.shape.kind = SPH2D_SHAPE_LINE;
+    obstacle.shape.points = (sph2d_points){line, 2};
     sph2d_scene scene = test_open_scene(DX, -1, -1, 1, 1);
     block = test_block(-0.9, -0.9, -0.9 + side * DX, -0.9 + side * DX);
     scene.blocks = &block;

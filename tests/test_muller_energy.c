@@ -35,8 +35,8 @@ START_TEST(walls_give_back_what_pressing_takes)
     sph2d_block block = test_block(-0.1, 0.1, 0.1, 0.2);
     sph2d_scene scene = test_open_scene(DX, -0.5, _i ? -0.5 : 0, 0.5, 0.5);
     obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    obstacle.outline.line = (sph2d_points){floor, 2};
+    obstacle.shape.kind = SPH2D_SHAPE_LINE;
+    obstacle.shape.points = (sph2d_points){floor, 2};
     scene.obstacles = _i ? &obstacle : NULL;
     scene.obstacle_count = _i ? 1 : 0;
     scene.boundary.bottom = _i ? SPH2D_SIDE_OPEN : SPH2D_SIDE_WALL;

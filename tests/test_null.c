@@ -75,6 +75,8 @@ START_TEST(simulations)
     REFUSED("scene", sph2d_scene_check(NULL, &report));
     REFUSED("scene", sph2d_scene_fits(NULL, &report));
     NOTHING(sph2d_scene_particles(NULL) != 0);
+    UNKNOWN(sph2d_shape_centroid(NULL).x);
+    NOTHING(sph2d_shape_corners(NULL, 1, NULL));
     REFUSED("sim", sph2d_sim_step(NULL, &report));
     REFUSED("sim", sph2d_sim_run(NULL, never, NULL, &report));
     REFUSED("go_on", sph2d_sim_run(sim, NULL, NULL, &report));

@@ -69,8 +69,8 @@ START_TEST(a_head_outside_drives_as_torricelli_says)
     lay_channel(1.6, 1, 0.3);
     channel.scene.boundary.right = SPH2D_SIDE_OPEN;
     sph2d_obstacle sill = sph2d_obstacle_default();
-    sill.outline.kind = SPH2D_OUTLINE_BOX;
-    sill.outline.box = (sph2d_box){{1.4, 0}, {1.6, 0.3}};
+    sill.shape.kind = SPH2D_SHAPE_BOX;
+    sill.shape.box = (sph2d_box){{1.4, 0}, {1.6, 0.3}};
     channel.blocks[0].shape.box.max.x = 1.4;
     channel.scene.obstacles = &sill;
     channel.scene.obstacle_count = 1;
@@ -153,8 +153,8 @@ START_TEST(beyond_a_level_pressure_is_that_of_liquid_at_rest)
     /* A slope of the surface before it, as of waves that break over a sill, does not go on outside. */
     lay_channel(1.5, 0.6, 0.25);
     sph2d_obstacle sill = sph2d_obstacle_default();
-    sill.outline.kind = SPH2D_OUTLINE_BOX;
-    sill.outline.box = (sph2d_box){{1.1, 0}, {1.3, 0.1}};
+    sill.shape.kind = SPH2D_SHAPE_BOX;
+    sill.shape.box = (sph2d_box){{1.1, 0}, {1.3, 0.1}};
     channel.scene.obstacles = &sill;
     channel.scene.obstacle_count = 1;
     channel.blocks[0].velocity.x = 0.6;

@@ -127,8 +127,8 @@ START_TEST(no_void_stays_behind_a_cylinder)
     channel.scene.spacing = 0.1;
     channel.scene.fluid.dynamic_viscosity = 10;
     sph2d_obstacle cylinder = sph2d_obstacle_default();
-    cylinder.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    cylinder.outline.circle = (sph2d_disc){{1, 1}, 0.3};
+    cylinder.shape.kind = SPH2D_SHAPE_CIRCLE;
+    cylinder.shape.circle = (sph2d_circle){{1, 1}, 0.3};
     channel.scene.obstacles = &cylinder;
     channel.scene.obstacle_count = 1;
     channel_start();
@@ -154,13 +154,13 @@ START_TEST(no_void_stays_behind_a_corner)
     channel_lay(2, 2, true);
     channel.scene.spacing = 0.05;
     sph2d_obstacle bank = sph2d_obstacle_default();
-    bank.outline.kind = SPH2D_OUTLINE_POLYGON;
-    bank.outline.polygon = (sph2d_points){solid, 5};
+    bank.shape.kind = SPH2D_SHAPE_POLYGON;
+    bank.shape.points = (sph2d_points){solid, 5};
     channel.scene.obstacles = &bank;
     channel.scene.obstacle_count = 1;
     channel.blocks[0] = sph2d_block_default();
     channel.blocks[0].shape.kind = SPH2D_SHAPE_POLYGON;
-    channel.blocks[0].shape.polygon = (sph2d_points){liquid, 7};
+    channel.blocks[0].shape.points = (sph2d_points){liquid, 7};
     channel.openings[0].from = 1.2;
     channel.openings[0].ramp = 0.5;
     channel.openings[1].side = SPH2D_SIDE_NAME_BOTTOM;
@@ -190,8 +190,8 @@ START_TEST(a_box_on_the_floor_feels_the_pressure)
     channel.blocks[0].velocity.x = 0;
     sph2d_obstacle box = sph2d_obstacle_default();
     box.name = "box";
-    box.outline.kind = SPH2D_OUTLINE_BOX;
-    box.outline.box = (sph2d_box){{0.4, 0}, {0.6, 0.2}};
+    box.shape.kind = SPH2D_SHAPE_BOX;
+    box.shape.box = (sph2d_box){{0.4, 0}, {0.6, 0.2}};
     channel.scene.obstacles = &box;
     channel.scene.obstacle_count = 1;
     channel.openings[0].velocity = NAN;

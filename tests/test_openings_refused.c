@@ -109,8 +109,8 @@ START_TEST(a_solid_before_an_opening_is_refused)
 {
     channel_lay(0.5, 0.25, true);
     sph2d_obstacle box = sph2d_obstacle_default();
-    box.outline.kind = SPH2D_OUTLINE_BOX;
-    box.outline.box = (sph2d_box){{0, 0}, {0.1, 0.1}};
+    box.shape.kind = SPH2D_SHAPE_BOX;
+    box.shape.box = (sph2d_box){{0, 0}, {0.1, 0.1}};
     channel.scene.obstacles = &box;
     channel.scene.obstacle_count = 1;
     sph2d_report report = {0};

@@ -90,9 +90,9 @@ START_TEST(lines_know_where_liquid_is)
     set_tank();
     sph2d_vec2 ramp[2] = {{1.2, 0.4}, {1.8, 0.2}}, line[2] = {{1.2, 0.8}, {1.8, 0.8}};
     sph2d_obstacle obstacles[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
-    obstacles[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_LINE, .line = {ramp, 2}};
+    obstacles[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {ramp, 2}};
     obstacles[0].liquid = SPH2D_LIQUID_RIGHT;
-    obstacles[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_LINE, .line = {line, 2}};
+    obstacles[1].shape = (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {line, 2}};
     obstacles[1].form = SPH2D_WALL_REFLECT;
     scene.method.name = SPH2D_METHOD_PCISPH;
     scene.obstacles = obstacles;
@@ -112,10 +112,10 @@ START_TEST(outlines_move_along)
 {
     set_tank();
     sph2d_obstacle wheel = sph2d_obstacle_default();
-    wheel.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{1.3, 0.5}, {1.7, 0.7}}};
+    wheel.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{1.3, 0.5}, {1.7, 0.7}}};
     wheel.motion.rate = 3;
     sph2d_body falling = sph2d_body_default();
-    falling.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.3, 0.7}, {0.6, 0.9}}};
+    falling.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.3, 0.7}, {0.6, 0.9}}};
     falling.density = 500;
     scene.obstacles = &wheel;
     scene.obstacle_count = 1;

@@ -33,8 +33,8 @@ START_TEST(discs_of_any_radius_are_filled)
     static const double radii[] = {2.1, 5, 10, 10.4, 17.77, 25};
     double r = radii[_i / 2] * DX;
     packed.block = sph2d_block_default();
-    packed.block.shape.kind = SPH2D_SHAPE_DISC;
-    packed.block.shape.disc = (sph2d_disc){{0.5, 0.5}, r};
+    packed.block.shape.kind = SPH2D_SHAPE_CIRCLE;
+    packed.block.shape.circle = (sph2d_circle){{0.5, 0.5}, r};
     bool whole = _i == 5 || _i == 11; /* rings are whole spacings wide */
     packed.block.arrangement = whole ? SPH2D_ARRANGEMENT_RINGS : SPH2D_ARRANGEMENT_LATTICE;
     check_area(TEST_PI * r * r);
@@ -64,23 +64,23 @@ START_TEST(liquid_around_a_solid_fills_the_rest)
     double area = 0.6 * 0.4;
     packed.scene.obstacle_count = 1;
     if (_i == 0) {
-        packed.obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-        packed.obstacle.outline.circle = (sph2d_disc){{0.3, 0.2}, 0.093};
+        packed.obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+        packed.obstacle.shape.circle = (sph2d_circle){{0.3, 0.2}, 0.093};
         area -= TEST_PI * 0.093 * 0.093;
     } else if (_i == 1) { /* half of it out of the liquid */
-        packed.obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-        packed.obstacle.outline.circle = (sph2d_disc){{0.3, 0.4}, 0.1};
+        packed.obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+        packed.obstacle.shape.circle = (sph2d_circle){{0.3, 0.4}, 0.1};
         area -= TEST_PI * 0.01 / 2;
     } else if (_i == 2) { /* a ramp in the corner */
         packed.line[0] = (sph2d_vec2){0.3, 0};
         packed.line[1] = (sph2d_vec2){0.6, 0};
         packed.line[2] = (sph2d_vec2){0.6, 0.17};
-        packed.obstacle.outline.kind = SPH2D_OUTLINE_POLYGON;
-        packed.obstacle.outline.polygon = (sph2d_points){packed.line, 3};
+        packed.obstacle.shape.kind = SPH2D_SHAPE_POLYGON;
+        packed.obstacle.shape.points = (sph2d_points){packed.line, 3};
         area -= 0.3 * 0.17 / 2;
     } else { /* sides that no row meets */
-        packed.obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-        packed.obstacle.outline.box = (sph2d_box){{0.2033, 0.1011}, {0.3377, 0.2777}};
+        packed.obstacle.shape.kind = SPH2D_SHAPE_BOX;
+        packed.obstacle.shape.box = (sph2d_box){{0.2033, 0.1011}, {0.3377, 0.2777}};
         area -= (0.3377 - 0.2033) * (0.2777 - 0.1011);
     }
     check_area(area);
@@ -129,8 +129,8 @@ START_TEST(a_polygon_is_packed_from_the_sides_that_fit_its_rows)
         packed.corners[k] = liquid[k];
     }
     packed_set_polygon(6);
-    packed.obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    packed.obstacle.outline.polyline = (sph2d_points){wall, 6};
+    packed.obstacle.shape.kind = SPH2D_SHAPE_POLYLINE;
+    packed.obstacle.shape.points = (sph2d_points){wall, 6};
     packed.scene.obstacle_count = 1;
     check_area(0.4 * 0.25 + 0.1337 * 0.15);
     sph2d_sim *sim = test_create(&packed.scene, NULL);
@@ -153,9 +153,9 @@ START_TEST(a_lattice_that_fits_stays_bit_for_bit)
     packed.scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
     packed.scene.domain = (sph2d_box){{0, 0}, {0.6, 0.8}};
     packed.scene.obstacle_count = 1;
-    packed.obstacle.outline.kind = _i ? SPH2D_OUTLINE_CIRCLE : SPH2D_OUTLINE_BOX;
-    packed.obstacle.outline.circle = (sph2d_disc){{0.3, 0.65}, 0.1234};
-    packed.obstacle.outline.box = (sph2d_box){{0.2, 0.1}, {0.3, 0.25}};
+    packed.obstacle.shape.kind = _i ? SPH2D_SHAPE_CIRCLE : SPH2D_SHAPE_BOX;
+    packed.obstacle.shape.circle = (sph2d_circle){{0.3, 0.65}, 0.1234};
+    packed.obstacle.shape.box = (sph2d_box){{0.2, 0.1}, {0.3, 0.25}};
     sph2d_sim *sim = test_create(&packed.scene, NULL);
     sph2d_view f = sph2d_sim_fluid(sim);
     ck_assert_uint_eq(f.count, _i ? 2400 : 2400 - 150);
@@ -171,8 +171,8 @@ END_TEST
 START_TEST(far_from_a_wall_that_takes_places_the_lattice_stays)
 {
     packed.scene.obstacle_count = 1;
-    packed.obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    packed.obstacle.outline.circle = (sph2d_disc){{0.1, 0.1}, 0.05};
+    packed.obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+    packed.obstacle.shape.circle = (sph2d_circle){{0.1, 0.1}, 0.05};
     sph2d_sim *sim = test_create(&packed.scene, NULL);
     sph2d_view f = sph2d_sim_fluid(sim);
     size_t off = 0, far = 0;

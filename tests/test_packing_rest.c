@@ -97,8 +97,8 @@ START_TEST(a_gap_between_liquid_and_a_wall_is_nobodys)
     if (_i == 0) {
         packed_set_wedge(60);
         packed.block = sph2d_block_default();
-        packed.block.shape.kind = SPH2D_SHAPE_DISC;
-        packed.block.shape.disc = (sph2d_disc){{0.5, 2 * (0.1105 + 0.0025)}, 0.1105};
+        packed.block.shape.kind = SPH2D_SHAPE_CIRCLE;
+        packed.block.shape.circle = (sph2d_circle){{0.5, 2 * (0.1105 + 0.0025)}, 0.1105};
     } else {
         double gap = _i == 1 ? 0.003 : 0.009;
         packed.scene.boundary.left = SPH2D_SIDE_WALL;
@@ -185,8 +185,8 @@ START_TEST(liquid_around_sharp_corners_comes_to_rest)
     packed.scene.method.max_compression = 0.01;
     packed.block = test_block(0, 0, 1, depth);
     packed.obstacle = sph2d_obstacle_default();
-    packed.obstacle.outline.kind = SPH2D_OUTLINE_POLYGON;
-    packed.obstacle.outline.polygon = (sph2d_points){solids[_i], 3};
+    packed.obstacle.shape.kind = SPH2D_SHAPE_POLYGON;
+    packed.obstacle.shape.points = (sph2d_points){solids[_i], 3};
     packed.scene.obstacles = &packed.obstacle;
     packed.scene.obstacle_count = 1;
     sph2d_sim *sim = test_create(&packed.scene, NULL);

@@ -47,9 +47,9 @@ START_TEST(a_disc_and_a_polygon_hold_their_area)
     static const sph2d_vec2 corners[3] = {{0.1, 0.1}, {0.7, 0.1}, {0.1, 0.5}};
     double area = 0.6 * 0.4 / 2, x = 0, y = 0, radius = 14 * DX; /* 616 places, 615.75 wanted: no packing */
     blocks[0] = sph2d_block_default();
-    blocks[0].shape.kind = _i ? SPH2D_SHAPE_POLYGON : SPH2D_SHAPE_DISC;
-    blocks[0].shape.polygon = (sph2d_points){corners, 3};
-    blocks[0].shape.disc = (sph2d_disc){{0.4, 0.3}, radius};
+    blocks[0].shape.kind = _i ? SPH2D_SHAPE_POLYGON : SPH2D_SHAPE_CIRCLE;
+    blocks[0].shape.points = (sph2d_points){corners, 3};
+    blocks[0].shape.circle = (sph2d_circle){{0.4, 0.3}, radius};
     if (!_i)
         area = TEST_PI * radius * radius;
     sph2d_sim *sim = test_create(&scene, NULL);
@@ -96,10 +96,10 @@ START_TEST(obstacles_keep_their_places_free)
 {
     sph2d_vec2 ends[2] = {{0.15, 0.15}, {0.345, 0.15}};
     sph2d_obstacle obstacles[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){ends, 2};
-    obstacles[1].outline.kind = SPH2D_OUTLINE_CIRCLE;
-    obstacles[1].outline.circle = (sph2d_disc){{0.3, 0.2}, 0.03};
+    obstacles[0].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){ends, 2};
+    obstacles[1].shape.kind = SPH2D_SHAPE_CIRCLE;
+    obstacles[1].shape.circle = (sph2d_circle){{0.3, 0.2}, 0.03};
     scene.obstacles = obstacles;
     scene.obstacle_count = 2;
     sph2d_sim *sim = test_create(&scene, NULL);
@@ -126,8 +126,8 @@ START_TEST(what_solids_take_is_told)
 {
     static sph2d_obstacle solid;
     solid = sph2d_obstacle_default();
-    solid.outline.kind = SPH2D_OUTLINE_BOX;
-    solid.outline.box = (sph2d_box){{0.5, 0.3}, {0.7, 0.6}};
+    solid.shape.kind = SPH2D_SHAPE_BOX;
+    solid.shape.box = (sph2d_box){{0.5, 0.3}, {0.7, 0.6}};
     blocks[1] = test_block(0.4, 0.1, 0.7, 0.5); /* 0.12 m^2, 0.04 of them in the solid */
     scene.block_count = 2;
     ck_assert_int_eq(sph2d_scene_plan(&scene, &plan, &report), SPH2D_OK);
@@ -189,8 +189,8 @@ END_TEST
 START_TEST(no_particle_found_room)
 {
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    obstacle.outline.circle = (sph2d_disc){{0.25, 0.15}, 0.09};
+    obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+    obstacle.shape.circle = (sph2d_circle){{0.25, 0.15}, 0.09};
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;
     ck_assert_int_eq(sph2d_scene_plan(&scene, &plan, &report), SPH2D_SCENE);
@@ -211,8 +211,8 @@ START_TEST(blocks_may_touch_but_not_overlap)
     ck_assert_ptr_nonnull(strstr(test_report_text(&report), "blocks[0]"));
     sph2d_report_clear(&report);
     blocks[1] = sph2d_block_default();
-    blocks[1].shape.kind = SPH2D_SHAPE_DISC;
-    blocks[1].shape.disc = (sph2d_disc){{0.33, 0.15}, 0.0501};
+    blocks[1].shape.kind = SPH2D_SHAPE_CIRCLE;
+    blocks[1].shape.circle = (sph2d_circle){{0.33, 0.15}, 0.0501};
     ck_assert_int_eq(sph2d_scene_plan(&scene, &plan, &report), SPH2D_SCENE);
     ck_assert(test_report_has(&report, SPH2D_CODE_OVERLAP, "blocks[1]"));
     sph2d_report_clear(&report);
@@ -284,8 +284,8 @@ START_TEST(too_many_boundary_particles_are_refused)
         turns[k] = (sph2d_vec2){k % 2 ? 9e6 : 0, 0.0008 * k};
     bool memory_named;
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacle.outline.polyline = (sph2d_points){turns, _i == 0 ? TURNS : 2};
+    obstacle.shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacle.shape.points = (sph2d_points){turns, _i == 0 ? TURNS : 2};
     scene.domain = (sph2d_box){{0, 0}, {9e6, 1}};
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;
@@ -306,8 +306,8 @@ START_TEST(obstacles_take_places_across_periodic_sides)
         room.method.name = SPH2D_METHOD_WCSPH;
         room.method.sound_speed = 10;
         sph2d_obstacle obstacle = sph2d_obstacle_default();
-        obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-        obstacle.outline.circle = (sph2d_disc){{k ? 0 : 0.5, 0.5}, 0.13};
+        obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+        obstacle.shape.circle = (sph2d_circle){{k ? 0 : 0.5, 0.5}, 0.13};
         sph2d_block block = test_block(0, 0, 1, 1);
         room.obstacles = &obstacle;
         room.obstacle_count = 1;

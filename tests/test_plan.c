@@ -77,7 +77,7 @@ END_TEST
 /* A flow that turns about its centre is fastest at the block's edge, wherever its length ends. */
 START_TEST(the_speed_of_a_flow_is_that_at_the_edge_of_its_block)
 {
-    blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.5, 0.3}, 0.2}};
+    blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.5, 0.3}, 0.2}};
     blocks[0].start.flow = (sph2d_flow){.kind = SPH2D_FLOW_ROTATION, .speed = 1.5, .length = 0.1, .center = {0.5, 0.3}};
     scene.gravity = (sph2d_vec2){0, 0};
     check_speed(0, 3, 0);
@@ -88,7 +88,7 @@ END_TEST
 
 START_TEST(surface_tension_presses_on_drops)
 {
-    blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.5, 0.3}, 0.2}};
+    blocks[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.5, 0.3}, 0.2}};
     scene.gravity = (sph2d_vec2){0, 0};
     scene.fluid.surface_tension = 80;
     make_plan();

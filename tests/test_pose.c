@@ -7,11 +7,11 @@
 #include "base/pi.h"
 #include "boundary/moving.h"
 #include "common.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 
 static sph2d_pose_point points[] = {{.t = 0.5, .x = 0, .y = 0}, {.t = 1.5, .x = 2, .y = -1}, {.t = 2, .x = 2, .y = 3}};
 
-static const sph2d_outline nowhere = {.kind = SPH2D_OUTLINE_NONE};
+static const sph2d_shape nowhere = {.kind = SPH2D_SHAPE_NONE};
 
 static sph2d__pose pose_at(const sph2d_motion *motion, double time)
 {
@@ -196,20 +196,20 @@ START_TEST(an_obstacle_turns_about_its_centroid)
 {
     sph2d_vec2 corners[] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}, ends[] = {{0, 1}, {2, 1}, {2, 2}};
     const struct {
-        sph2d_outline outline;
+        sph2d_shape shape;
         sph2d_vec2 expected;
         double farthest; /* from the origin */
     } cases[] = {
-        {{.kind = SPH2D_OUTLINE_POLYGON, .polygon = {corners, 6}}, {0.75, 1.25}, sqrt(10)},
-        {{.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {ends, 3}}, {4.0 / 3, 3.5 / 3}, sqrt(8)},
-        {{.kind = SPH2D_OUTLINE_BOX, .box = {{1, 2}, {3, 6}}}, {2, 4}, sqrt(45)},
-        {{.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{3, 4}, 2}}, {3, 4}, 7},
+        {{.kind = SPH2D_SHAPE_POLYGON, .points = {corners, 6}}, {0.75, 1.25}, sqrt(10)},
+        {{.kind = SPH2D_SHAPE_POLYLINE, .points = {ends, 3}}, {4.0 / 3, 3.5 / 3}, sqrt(8)},
+        {{.kind = SPH2D_SHAPE_BOX, .box = {{1, 2}, {3, 6}}}, {2, 4}, sqrt(45)},
+        {{.kind = SPH2D_SHAPE_CIRCLE, .circle = {{3, 4}, 2}}, {3, 4}, 7},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
-        sph2d_vec2 c = sph2d__outline_centroid(&cases[k].outline);
+        sph2d_vec2 c = sph2d_shape_centroid(&cases[k].shape);
         ck_assert_double_eq_tol(c.x, cases[k].expected.x, 1e-14);
         ck_assert_double_eq_tol(c.y, cases[k].expected.y, 1e-14);
-        double farthest = sph2d__outline_distance(&cases[k].outline, (sph2d_vec2){0, 0});
+        double farthest = sph2d__shape_distance(&cases[k].shape, (sph2d_vec2){0, 0});
         ck_assert_double_eq_tol(farthest, cases[k].farthest, 1e-14);
     }
 }

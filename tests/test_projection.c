@@ -188,8 +188,8 @@ static sph2d__system *disordered(void)
     column(SPH2D_METHOD_PCISPH, 0.6, 0.4);
     block.perturb.amplitude = 0.3;
     obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-    obstacle.outline.circle = (sph2d_disc){{0.3, 0.2}, 0.08};
+    obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+    obstacle.shape.circle = (sph2d_circle){{0.3, 0.2}, 0.08};
     obstacle.form = SPH2D_WALL_HEAVY;
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;

@@ -100,13 +100,13 @@ static void wedge(sph2d_method method, double dx, double H, double degrees)
     corners[1] = (sph2d_vec2){H * slope, H};
     corners[2] = (sph2d_vec2){-H * slope, H};
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_POLYLINE;
-    tank.obstacle.outline.polyline = (sph2d_points){walls, 3};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_POLYLINE;
+    tank.obstacle.shape.points = (sph2d_points){walls, 3};
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;
     tank.blocks[0] = sph2d_block_default();
     tank.blocks[0].shape.kind = SPH2D_SHAPE_POLYGON;
-    tank.blocks[0].shape.polygon = (sph2d_points){corners, 3};
+    tank.blocks[0].shape.points = (sph2d_points){corners, 3};
     tank.scene.block_count = 1;
 }
 
@@ -213,8 +213,8 @@ START_TEST(two_legs_swing_and_end_level)
     const double period = 2 * TEST_PI * sqrt(length / 2 / G);
     tank_empty(both[_i], DX, 2 * a + divider, 1.2, 1e-3);
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_BOX;
-    tank.obstacle.outline.box = (sph2d_box){{a, a}, {a + divider, 1.2}};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_BOX;
+    tank.obstacle.shape.box = (sph2d_box){{a, a}, {a + divider, 1.2}};
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;
     tank_add(0, 0, 2 * a + divider, a);

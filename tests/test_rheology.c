@@ -194,8 +194,8 @@ START_TEST(images_turn_with_their_wall)
     scene.method.name = SPH2D_METHOD_CONSTRAINT;
     scene.wall_slip = SPH2D_SLIP_NONE;
     block = sph2d_block_default();
-    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0, 0}, 0.5}};
-    drum.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0, 0}, 0.5}};
+    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0, 0}, 0.5}};
+    drum.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0, 0}, 0.5}};
     drum.liquid = SPH2D_LIQUID_INSIDE;
     drum.motion.rate = rate;
     scene.blocks = &block;

@@ -26,29 +26,29 @@ static void fill_shapes(void)
 {
     blocks[0] = test_block(0.1, 0.1, 0.3, 0.3);
     blocks[1] = blocks[2] = sph2d_block_default();
-    blocks[1].shape.kind = SPH2D_SHAPE_DISC;
-    blocks[1].shape.disc = (sph2d_disc){{0.4, 0.5}, 0.08};
+    blocks[1].shape.kind = SPH2D_SHAPE_CIRCLE;
+    blocks[1].shape.circle = (sph2d_circle){{0.4, 0.5}, 0.08};
     blocks[2].shape.kind = SPH2D_SHAPE_POLYGON;
     corners[0] = (sph2d_vec2){0.5, 0.1};
     corners[1] = (sph2d_vec2){0.7, 0.1};
     corners[2] = (sph2d_vec2){0.7, 0.3};
     corners[3] = (sph2d_vec2){0.5, 0.35};
-    blocks[2].shape.polygon = (sph2d_points){corners, 4};
+    blocks[2].shape.points = (sph2d_points){corners, 4};
     for (int i = 0; i < 4; ++i)
         obstacles[i] = sph2d_obstacle_default();
     ends[0] = (sph2d_vec2){0.1, 0.8};
     ends[1] = (sph2d_vec2){0.2, 0.85};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){ends, 2};
+    obstacles[0].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){ends, 2};
     turns[0] = (sph2d_vec2){0.4, 0.8};
     turns[1] = (sph2d_vec2){0.5, 0.85};
     turns[2] = (sph2d_vec2){0.6, 0.8};
-    obstacles[1].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacles[1].outline.polyline = (sph2d_points){turns, 3};
-    obstacles[2].outline.kind = SPH2D_OUTLINE_CIRCLE;
-    obstacles[2].outline.circle = (sph2d_disc){{0.8, 0.6}, 0.05};
-    obstacles[3].outline.kind = SPH2D_OUTLINE_BOX;
-    obstacles[3].outline.box = (sph2d_box){{0.05, 0.5}, {0.15, 0.6}};
+    obstacles[1].shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacles[1].shape.points = (sph2d_points){turns, 3};
+    obstacles[2].shape.kind = SPH2D_SHAPE_CIRCLE;
+    obstacles[2].shape.circle = (sph2d_circle){{0.8, 0.6}, 0.05};
+    obstacles[3].shape.kind = SPH2D_SHAPE_BOX;
+    obstacles[3].shape.box = (sph2d_box){{0.05, 0.5}, {0.15, 0.6}};
 }
 
 static void start(void)
@@ -108,10 +108,10 @@ static void start(void)
     X(block_reversed, "blocks[0].box", OUT_OF_RANGE, blocks[0].shape.box.max.x = 0.05)                                 \
     X(block_outside, "blocks[0].box", OUTSIDE, blocks[0].shape.box.max.x = 1.05)                                       \
     X(block_below, "blocks[0].box", OUTSIDE, blocks[0].shape.box.min.y = -0.01)                                        \
-    X(disc_outside, "blocks[1].disc", OUTSIDE, blocks[1].shape.disc.center.x = 0.05)                                   \
-    X(disc_without_radius, "blocks[1].disc.radius", OUT_OF_RANGE, blocks[1].shape.disc.radius = 0)                     \
-    X(polygon_of_two, "blocks[2].polygon", OUT_OF_RANGE, blocks[2].shape.polygon.count = 2)                            \
-    X(polygon_on_a_line, "blocks[2].polygon", OUT_OF_RANGE, blocks[2].shape.polygon.count = 3;                         \
+    X(disc_outside, "blocks[1].circle", OUTSIDE, blocks[1].shape.circle.center.x = 0.05)                               \
+    X(disc_without_radius, "blocks[1].circle.radius", OUT_OF_RANGE, blocks[1].shape.circle.radius = 0)                 \
+    X(polygon_of_two, "blocks[2].polygon", OUT_OF_RANGE, blocks[2].shape.points.count = 2)                             \
+    X(polygon_on_a_line, "blocks[2].polygon", OUT_OF_RANGE, blocks[2].shape.points.count = 3;                          \
       corners[2] = (sph2d_vec2){0.9, 0.1})                                                                             \
     X(polygon_outside, "blocks[2].polygon", OUTSIDE, corners[3].y = 1.01)                                              \
     X(polygon_crosses_itself, "blocks[2].polygon", OUT_OF_RANGE, corners[3] = (sph2d_vec2){0.6, 0.05})                 \
@@ -134,19 +134,19 @@ static void start(void)
     X(absorber_at_periodic_side, "absorbers[1].side", CONFLICT,                                                        \
       scene.boundary.left = scene.boundary.right = SPH2D_SIDE_PERIODIC;                                                \
       absorbers[0].side = SPH2D_SIDE_NAME_TOP)                                                                         \
-    X(obstacle_without_outline, "obstacles[3]", MISSING_KEY, obstacles[3].outline.kind = SPH2D_OUTLINE_NONE)           \
+    X(obstacle_without_outline, "obstacles[3]", MISSING_KEY, obstacles[3].shape.kind = SPH2D_SHAPE_NONE)               \
     X(obstacle_of_springs, "obstacles[3].form", UNSUPPORTED, obstacles[3].form = SPH2D_WALL_SPRING)                    \
-    X(line_of_one, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].outline.line.count = 1)                             \
-    X(line_of_three, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].outline.line.count = 3;                           \
+    X(line_of_one, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].shape.points.count = 1)                             \
+    X(line_of_three, "obstacles[0].line", OUT_OF_RANGE, obstacles[0].shape.points.count = 3;                           \
       ends[2] = (sph2d_vec2){0.3, 0.9})                                                                                \
     X(line_without_length, "obstacles[0].line", OUT_OF_RANGE, ends[1] = ends[0])                                       \
     X(line_outside, "obstacles[0].line", OUTSIDE, ends[1].x = -0.1)                                                    \
-    X(polyline_of_one, "obstacles[1].polyline", OUT_OF_RANGE, obstacles[1].outline.polyline.count = 1)                 \
+    X(polyline_of_one, "obstacles[1].polyline", OUT_OF_RANGE, obstacles[1].shape.points.count = 1)                     \
     X(polyline_stands_still, "obstacles[1].polyline", OUT_OF_RANGE, turns[2] = turns[1])                               \
-    X(circle_outside, "obstacles[2].circle.center", OUTSIDE, obstacles[2].outline.circle.center.x = 1.2)               \
-    X(circle_without_radius, "obstacles[2].circle.radius", OUT_OF_RANGE, obstacles[2].outline.circle.radius = 0)       \
-    X(box_flat, "obstacles[3].box", OUT_OF_RANGE, obstacles[3].outline.box.max.x = obstacles[3].outline.box.min.x)     \
-    X(box_outside, "obstacles[3].box", OUTSIDE, obstacles[3].outline.box.max.y = 1.2)                                  \
+    X(circle_outside, "obstacles[2].circle.center", OUTSIDE, obstacles[2].shape.circle.center.x = 1.2)                 \
+    X(circle_without_radius, "obstacles[2].circle.radius", OUT_OF_RANGE, obstacles[2].shape.circle.radius = 0)         \
+    X(box_flat, "obstacles[3].box", OUT_OF_RANGE, obstacles[3].shape.box.max.x = obstacles[3].shape.box.min.x)         \
+    X(box_outside, "obstacles[3].box", OUTSIDE, obstacles[3].shape.box.max.y = 1.2)                                    \
     X(interaction_without_path, "interactions[0].path", MISSING_KEY, interactions[0].path.count = 0)                   \
     X(interaction_back_in_time, "interactions[0].path", CONFLICT, path[1].t = 0)                                       \
     X(interaction_outside, "interactions[0].path", OUTSIDE, path[0].x = path[1].x = 1.21)                              \
@@ -402,8 +402,8 @@ START_TEST(a_wall_that_slides_along_itself_blows_at_nothing)
     s.gravity.y = -9.81;
     s.blocks = &column;
     s.block_count = 1;
-    gate.outline.kind = SPH2D_OUTLINE_BOX;
-    gate.outline.box = (sph2d_box){{0.6, 0}, {0.7, 0.8}};
+    gate.shape.kind = SPH2D_SHAPE_BOX;
+    gate.shape.box = (sph2d_box){{0.6, 0}, {0.7, 0.8}};
     gate.motion.path = (sph2d_pose_path){way, 2};
     s.obstacles = &gate;
     s.obstacle_count = 1;

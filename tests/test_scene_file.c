@@ -45,9 +45,13 @@ static const struct fault {
     {DOMAIN BLOCKS, SPH2D_CODE_MISSING_KEY, "spacing", 0, 0, "'spacing' must be given", "in m"},
     {"domain: {min: [0, 0]}\n" SPACING BLOCKS, SPH2D_CODE_MISSING_KEY, "domain.max", 1, 9, "'max' must be given", ""},
     {DOMAIN SPACING "blocks:\n  - box: {min: [0, 0], max: [0.4, 0.8]}\n    disc: {center: [0, 0], radius: 1}\n",
-     SPH2D_CODE_CONFLICT, "blocks[0].disc", 5, 5, "'disc' excludes 'box' on line 4", "one of box, disc, polygon"},
+     SPH2D_CODE_CONFLICT, "blocks[0].disc", 5, 5, "'disc' excludes 'box' on line 4", "one of box, circle, polygon"},
     {DOMAIN SPACING "blocks:\n  - velocity: [0, 0]\n", SPH2D_CODE_MISSING_KEY, "blocks[0]", 4, 5, "has no shape",
-     "box, disc, polygon"},
+     "box, circle, polygon"},
+    {DOMAIN SPACING "blocks:\n  - disc: {center: [0.2, 0.2], radius: 0}\n", SPH2D_CODE_OUT_OF_RANGE,
+     "blocks[0].circle.radius", 4, 40, "must be above 0", ""}, /* a word for the same */
+    {DOMAIN SPACING "blocks:\n  - disc: {center: [0.3, 0.3], radius: 0.1}\n    circle: {center: [0.3, 0.3], radius: 0.1}\n",
+     SPH2D_CODE_DUPLICATE_KEY, "blocks[0].circle", 5, 5, "'circle' is given twice", "first on line 4"},
     /* types */
     {DOMAIN "spacing: abc\n" BLOCKS, SPH2D_CODE_WRONG_TYPE, "spacing", 2, 10, "expected a number, got 'abc'", "in m"},
     {DOMAIN "spacing: 0.1 m\n" BLOCKS, SPH2D_CODE_WRONG_TYPE, "spacing", 2, 10, "got '0.1 m'", ""},
@@ -238,17 +242,17 @@ START_TEST(every_key_arrives)
     ck_assert(s->walls == SPH2D_WALL_REFLECT && s->wall_damping == 0.5 && s->gravity.x == 1.5);
     ck_assert(s->spacing == 0.1 && s->fluid.density == 900 && s->method.time_step == 1e-4);
     ck_assert_uint_eq(s->block_count, 2);
-    ck_assert(s->blocks[0].shape.kind == SPH2D_SHAPE_DISC && s->blocks[0].shape.disc.radius == 0.3);
+    ck_assert(s->blocks[0].shape.kind == SPH2D_SHAPE_CIRCLE && s->blocks[0].shape.circle.radius == 0.3);
     ck_assert(s->blocks[0].velocity.y == 3 && s->blocks[0].spacing == 0.05);
-    ck_assert(s->blocks[1].shape.kind == SPH2D_SHAPE_POLYGON && s->blocks[1].shape.polygon.count == 3);
-    ck_assert(s->blocks[1].shape.polygon.items[2].y == 0.5);
+    ck_assert(s->blocks[1].shape.kind == SPH2D_SHAPE_POLYGON && s->blocks[1].shape.points.count == 3);
+    ck_assert(s->blocks[1].shape.points.items[2].y == 0.5);
     ck_assert_uint_eq(s->source_count, 1);
     ck_assert(s->sources[0].seed == UINT64_MAX && s->sources[0].direction.y == -1 && s->sources[0].stop == 3);
     ck_assert(s->drain_count == 1 && s->drains[0].shape.box.max.y == 0.1 && s->drains[0].start == 1);
     ck_assert_uint_eq(s->obstacle_count, 3);
-    ck_assert(s->obstacles[0].outline.kind == SPH2D_OUTLINE_LINE && s->obstacles[0].form == SPH2D_WALL_REFLECT);
-    ck_assert(s->obstacles[1].outline.polyline.count == 3 && s->obstacles[1].restitution == 0.5);
-    ck_assert(s->obstacles[2].outline.kind == SPH2D_OUTLINE_CIRCLE && s->obstacles[2].outline.circle.radius == 0.2);
+    ck_assert(s->obstacles[0].shape.kind == SPH2D_SHAPE_LINE && s->obstacles[0].form == SPH2D_WALL_REFLECT);
+    ck_assert(s->obstacles[1].shape.points.count == 3 && s->obstacles[1].restitution == 0.5);
+    ck_assert(s->obstacles[2].shape.kind == SPH2D_SHAPE_CIRCLE && s->obstacles[2].shape.circle.radius == 0.2);
     ck_assert(s->interaction_count == 1 && s->interactions[0].path.count == 2);
     ck_assert(s->interactions[0].path.items[1].t == 1 && s->interactions[0].path.items[1].x == 2);
     ck_assert(s->probe_count == 2 && s->probes[1].kind == SPH2D_PROBE_SPEED && s->probes[1].rate.every == 0.5);

@@ -32,15 +32,15 @@ static void fill_lists(void)
 {
     blocks[0] = test_block(0.1, 0.1, 0.3, 0.3);
     blocks[1] = blocks[2] = sph2d_block_default();
-    blocks[1].shape.kind = SPH2D_SHAPE_DISC;
-    blocks[1].shape.disc = (sph2d_disc){{0.4, 0.5}, 0.1};
+    blocks[1].shape.kind = SPH2D_SHAPE_CIRCLE;
+    blocks[1].shape.circle = (sph2d_circle){{0.4, 0.5}, 0.1};
     blocks[2].shape.kind = SPH2D_SHAPE_POLYGON;
-    blocks[2].shape.polygon = (sph2d_points){corners, 3};
+    blocks[2].shape.points = (sph2d_points){corners, 3};
     drains[0] = drains[1] = drains[2] = sph2d_drain_default();
     drains[0].shape = blocks[0].shape;
     drains[1].shape = blocks[1].shape;
     drains[2].shape.kind = SPH2D_SHAPE_POLYGON;
-    drains[2].shape.polygon = (sph2d_points){drain_corners, 3};
+    drains[2].shape.points = (sph2d_points){drain_corners, 3};
     sources[0] = sph2d_source_default();
     sources[0].at = (sph2d_vec2){0.9, 0.9};
     sources[0].width = 0.05;
@@ -53,14 +53,14 @@ static void fill_lists(void)
         obstacles[i].motion.center = (sph2d_vec2){0.5, 0.5};
         obstacles[i].motion.rate = 0.5;
     }
-    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){ends, 2};
-    obstacles[1].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacles[1].outline.polyline = (sph2d_points){turns, 3};
-    obstacles[2].outline.kind = SPH2D_OUTLINE_CIRCLE;
-    obstacles[2].outline.circle = (sph2d_disc){{0.8, 0.6}, 0.05};
-    obstacles[3].outline.kind = SPH2D_OUTLINE_BOX;
-    obstacles[3].outline.box = (sph2d_box){{0.05, 0.5}, {0.15, 0.6}};
+    obstacles[0].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){ends, 2};
+    obstacles[1].shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacles[1].shape.points = (sph2d_points){turns, 3};
+    obstacles[2].shape.kind = SPH2D_SHAPE_CIRCLE;
+    obstacles[2].shape.circle = (sph2d_circle){{0.8, 0.6}, 0.05};
+    obstacles[3].shape.kind = SPH2D_SHAPE_BOX;
+    obstacles[3].shape.box = (sph2d_box){{0.05, 0.5}, {0.15, 0.6}};
     interactions[0] = sph2d_interaction_default();
     interactions[0].path = (sph2d_path){path, 2};
     interactions[0].radius = 0.2;
@@ -86,9 +86,9 @@ static void set_up_bodies(void)
         bodies[i].springs = body_springs;
         bodies[i].spring_count = 1;
     }
-    bodies[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.3, 0.7}, 0.05}};
-    bodies[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.55, 0.5}, {0.65, 0.6}}};
-    bodies[2].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {bow, 3}};
+    bodies[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.3, 0.7}, 0.05}};
+    bodies[1].shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.55, 0.5}, {0.65, 0.6}}};
+    bodies[2].shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {bow, 3}};
     scene.bodies = bodies;
     scene.body_count = 3;
 }
@@ -374,14 +374,14 @@ START_TEST(ranges_are_as_documented)
         {"run.frames.per_second", &scene.run.frames.rate.per_second, 0, INFINITY, false},
         {"run.frames.radius", &scene.run.frames.radius, 0, INFINITY, false},
         {"blocks[0].spacing", &blocks[0].spacing, 0, INFINITY, false},
-        {"blocks[1].disc.radius", &blocks[1].shape.disc.radius, 0, INFINITY, true},
+        {"blocks[1].circle.radius", &blocks[1].shape.circle.radius, 0, INFINITY, true},
         {"sources[0].width", &sources[0].width, 0, INFINITY, false},
         {"sources[0].speed", &sources[0].speed, 0, INFINITY, true},
         {"sources[0].spread", &sources[0].spread, 0, 1, false},
         {"sources[0].rate", &sources[0].rate, 0, INFINITY, false},
         {"sources[0].start", &sources[0].start, 0, INFINITY, false},
         {"obstacles[0].restitution", &obstacles[0].restitution, 0, 1, false},
-        {"obstacles[2].circle.radius", &obstacles[2].outline.circle.radius, 0, INFINITY, true},
+        {"obstacles[2].circle.radius", &obstacles[2].shape.circle.radius, 0, INFINITY, true},
         {"interactions[0].radius", &interactions[0].radius, 0, INFINITY, true},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; ++i) {

@@ -28,8 +28,8 @@ static void start(void)
     points[0] = (sph2d_vec2){0.2, 0};
     points[1] = (sph2d_vec2){0.2, 0.5};
     obstacles[0] = obstacles[1] = sph2d_obstacle_default();
-    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){points, 2};
+    obstacles[0].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){points, 2};
     blocks[0] = test_block(0.2, 0, 0.6, 0.4);
     scene.obstacles = obstacles;
     scene.obstacle_count = 1;
@@ -120,8 +120,8 @@ START_TEST(the_side_of_a_corner_is_that_of_both_its_pieces)
 {
     /* A vessel of 20 degrees; the liquid is in it, or around it: near its tip places are nearest to the corner. */
     sph2d_vec2 vessel[3] = {{0.4, 0.9}, {0.5, 0.33}, {0.6, 0.9}};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacles[0].outline.polyline = (sph2d_points){vessel, 3};
+    obstacles[0].shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacles[0].shape.points = (sph2d_points){vessel, 3};
     blocks[0] = _i ? test_block(0, 0, 1, 0.2) : test_block(0.46, 0.7, 0.54, 0.8);
     sph2d_sim *sim = test_create(&scene, NULL);
     ck_assert_int_eq(sph2d_sim_scene(sim)->obstacles[0].liquid, _i ? SPH2D_LIQUID_RIGHT : SPH2D_LIQUID_LEFT);
@@ -214,8 +214,8 @@ START_TEST(a_line_of_several_pieces_makes_its_room_as_one_does)
     sph2d_vec2 zigzag[4];
     const size_t count = _i % 2 ? 3 : 4;
     blocks[0] = test_block(0, 0, 1, 0.5);
-    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacles[0].outline.polyline = (sph2d_points){zigzag, count};
+    obstacles[0].shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacles[0].shape.points = (sph2d_points){zigzag, count};
     obstacles[0].liquid = SPH2D_LIQUID_BOTH;
     for (size_t k = 0; k < count; ++k)
         zigzag[k] = (sph2d_vec2){0.2 + 0.15 * (double)k, k % 2 ? 0.15 : 0.25 + 0.002 * _i};
@@ -228,8 +228,8 @@ END_TEST
 START_TEST(a_line_that_turns_back_is_no_solid)
 {
     sph2d_vec2 hairpin[3] = {{0.3, 0.9}, {0.5, 0.6}, {0.7, 0.9}};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    obstacles[0].outline.polyline = (sph2d_points){hairpin, 3};
+    obstacles[0].shape.kind = SPH2D_SHAPE_POLYLINE;
+    obstacles[0].shape.points = (sph2d_points){hairpin, 3};
     obstacles[0].liquid = SPH2D_LIQUID_BOTH;
     sph2d_plan plan;
     ck_assert_msg(sph2d_scene_plan(&scene, &plan, &report) == SPH2D_OK, "%s", test_report_text(&report));
@@ -272,6 +272,15 @@ START_TEST(liquid_in_the_layers_is_refused_with_their_place)
 }
 END_TEST
 
+START_TEST(a_shape_that_is_refused_has_its_word)
+{
+    obstacles[0].shape =
+        (sph2d_shape){.kind = SPH2D_SHAPE_ARC, .arc = {.center = {0.3, 0.45}, .radius = 0.15, .from = 3.5, .to = 5.9}};
+    obstacles[0].liquid = SPH2D_LIQUID_LEFT;
+    ck_assert_msg(is_refused(SPH2D_CODE_OVERLAP, "obstacles[0].arc"), "%s", test_report_text(&report));
+}
+END_TEST
+
 START_TEST(a_particle_within_a_tenth_of_a_spacing_of_a_wall_is_refused)
 {
     sph2d_particle one = {0.2 + (_i ? 0.12 : 0.08) * DX, 0.45, 0, 0, 1000}; /* 0.5 more to the first layer */
@@ -297,13 +306,13 @@ START_TEST(a_polygon_is_a_solid_whichever_way_round)
         corners[k] = corners[count - 1 - k];
         corners[count - 1 - k] = other;
     }
-    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYGON;
-    obstacles[0].outline.polygon = (sph2d_points){corners, count};
+    obstacles[0].shape.kind = SPH2D_SHAPE_POLYGON;
+    obstacles[0].shape.points = (sph2d_points){corners, count};
     blocks[0] = test_block(0, 0, 1, 0.8);
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d__store *w = &sim->system.walls;
     sph2d_view f = sph2d_sim_fluid(sim);
-    sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .polygon = {corners, count}};
+    sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .points = {corners, count}};
     for (size_t i = 0; i < w->count; ++i)
         if (w->id[i] < sim->obstacle_ids[0].end)
             ck_assert(sph2d__shape_contains(&shape, (sph2d_vec2){w->x[i], w->y[i]}));
@@ -318,12 +327,12 @@ END_TEST
 START_TEST(a_polygon_must_be_one)
 {
     sph2d_vec2 corners[4] = {{0.5, 0.5}, {0.7, 0.7}, {0.7, 0.5}, {0.5, 0.7}};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYGON;
-    obstacles[0].outline.polygon = (sph2d_points){corners, 4};
+    obstacles[0].shape.kind = SPH2D_SHAPE_POLYGON;
+    obstacles[0].shape.points = (sph2d_points){corners, 4};
     ck_assert(is_refused(SPH2D_CODE_OUT_OF_RANGE, "obstacles[0].polygon"));
-    obstacles[0].outline.polygon.count = 2;
+    obstacles[0].shape.points.count = 2;
     ck_assert(is_refused(SPH2D_CODE_OUT_OF_RANGE, "obstacles[0].polygon"));
-    obstacles[0].outline.polygon.count = 3;
+    obstacles[0].shape.points.count = 3;
     corners[1].y = 1.7;
     ck_assert(is_refused(SPH2D_CODE_OUTSIDE, "obstacles[0].polygon"));
 }
@@ -347,6 +356,7 @@ Suite *suite_sides(void)
     tcase_add_test(tests, a_line_that_turns_back_is_no_solid);
     tcase_add_test(tests, nothing_gets_between_the_layers_from_behind);
     tcase_add_test(tests, liquid_in_the_layers_is_refused_with_their_place);
+    tcase_add_test(tests, a_shape_that_is_refused_has_its_word);
     tcase_add_loop_test(tests, a_particle_within_a_tenth_of_a_spacing_of_a_wall_is_refused, 0, 2);
     tcase_add_loop_test(tests, a_polygon_is_a_solid_whichever_way_round, 0, 4);
     tcase_add_test(tests, a_polygon_must_be_one);

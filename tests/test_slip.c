@@ -89,7 +89,7 @@ START_TEST(half_a_channel_between_a_rough_and_a_free_wall)
     } else {
         obstacle = sph2d_obstacle_default();
         static const sph2d_vec2 ends[2] = {{0, 0}, {0.6, 0}};
-        obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_LINE, .line = {ends, 2}};
+        obstacle.shape = (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {ends, 2}};
         obstacle.name = probes[0].on = "floor";
         obstacle.slip = SPH2D_WALL_SLIP_NONE;
         scene.domain.min.y = -4 * DX;
@@ -145,7 +145,7 @@ static void splash(void)
     scene.fluid.dynamic_viscosity = 2;
     scene.side_slip.bottom = SPH2D_WALL_SLIP_SMOOTH;
     obstacle = sph2d_obstacle_default();
-    obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.6, 0.5}, 0.2}};
+    obstacle.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.6, 0.5}, 0.2}};
     obstacle.slip = SPH2D_WALL_SLIP_NONE;
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;

@@ -85,8 +85,8 @@ START_TEST(energy_never_rises_where_walls_stand)
     tank.blocks[0].perturb.amplitude = 0.3;
     tank.blocks[0].velocity = (sph2d_vec2){1, 0};
     tank.obstacle = sph2d_obstacle_default();
-    tank.obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    tank.obstacle.outline.line = (sph2d_points){slope, 2};
+    tank.obstacle.shape.kind = SPH2D_SHAPE_LINE;
+    tank.obstacle.shape.points = (sph2d_points){slope, 2};
     tank.scene.obstacles = &tank.obstacle;
     tank.scene.obstacle_count = 1;
     tank_start();

@@ -239,8 +239,8 @@ START_TEST(walls_take_places_too)
     sph2d_scene scene = test_scene(DX, 0, 0, 1, 1);
     sph2d_vec2 line[2] = {{0.03, 0.5}, {0.3, 0.5}};
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    obstacle.outline.line = (sph2d_points){line, 2};
+    obstacle.shape.kind = SPH2D_SHAPE_LINE;
+    obstacle.shape.points = (sph2d_points){line, 2};
     sph2d_source source = sph2d_source_default();
     source.at = (sph2d_vec2){0, 0.5};
     source.width = 8 * DX;
@@ -268,8 +268,8 @@ START_TEST(a_drain_takes_what_is_in_it_while_it_is_open)
 {
     sph2d_source source = jet(3 * DX, 2);
     sph2d_drain drain = sph2d_drain_default();
-    drain.shape.kind = SPH2D_SHAPE_DISC; /* across the jet, 0.2 m from the nozzle */
-    drain.shape.disc = (sph2d_disc){{-0.3 + 0.2 * 0.6, 0.2 - 0.2 * 0.8}, 0.05};
+    drain.shape.kind = SPH2D_SHAPE_CIRCLE; /* across the jet, 0.2 m from the nozzle */
+    drain.shape.circle = (sph2d_circle){{-0.3 + 0.2 * 0.6, 0.2 - 0.2 * 0.8}, 0.05};
     drain.start = 0.3;
     drain.stop = 0.5;
     sph2d_sim *sim = with_source(&source, &drain);
@@ -279,7 +279,7 @@ START_TEST(a_drain_takes_what_is_in_it_while_it_is_open)
         sph2d_view f = sph2d_sim_fluid(sim);
         size_t inside = 0;
         for (size_t i = 0; i < f.count; ++i)
-            inside += hypot(f.x[i] - drain.shape.disc.center.x, f.y[i] - drain.shape.disc.center.y) < 0.05;
+            inside += hypot(f.x[i] - drain.shape.circle.center.x, f.y[i] - drain.shape.circle.center.y) < 0.05;
         test_steps(sim, 1);
         uint64_t taken = sph2d_sim_summary(sim).drained - before.drained;
         if (t < 0.3 || t >= 0.5)

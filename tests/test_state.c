@@ -40,12 +40,12 @@ static void start(void)
     }
     sources[1].start = 0.1;
     drain = sph2d_drain_default();
-    drain.shape.kind = SPH2D_SHAPE_DISC;
-    drain.shape.disc = (sph2d_disc){{0.4, 0.05}, 0.1};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){line, 2};
-    obstacles[1].outline.kind = SPH2D_OUTLINE_CIRCLE;
-    obstacles[1].outline.circle = (sph2d_disc){{0.55, 0.5}, 0.08};
+    drain.shape.kind = SPH2D_SHAPE_CIRCLE;
+    drain.shape.circle = (sph2d_circle){{0.4, 0.05}, 0.1};
+    obstacles[0].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){line, 2};
+    obstacles[1].shape.kind = SPH2D_SHAPE_CIRCLE;
+    obstacles[1].shape.circle = (sph2d_circle){{0.55, 0.5}, 0.08};
     obstacles[1].form = SPH2D_WALL_REFLECT;
     pull = sph2d_interaction_default();
     pull.path = (sph2d_path){path, 3};
@@ -182,8 +182,8 @@ START_TEST(a_state_without_walls_takes_those_of_the_scene)
             arrays[state.array_count++] = whole.arrays[i];
     static const sph2d_vec2 drawn[3] = {{0.1, 0.3}, {0.2, 0.2}, {0.3, 0.3}};
     sph2d_obstacle all[3] = {obstacles[0], obstacles[1], sph2d_obstacle_default()};
-    all[2].outline.kind = SPH2D_OUTLINE_POLYLINE;
-    all[2].outline.polyline = (sph2d_points){drawn, 3};
+    all[2].shape.kind = SPH2D_SHAPE_POLYLINE;
+    all[2].shape.points = (sph2d_points){drawn, 3};
     all[2].liquid = SPH2D_LIQUID_BOTH;
     scene.obstacles = all;
     scene.obstacle_count = 3;

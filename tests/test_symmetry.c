@@ -112,8 +112,8 @@ START_TEST(the_origin_of_a_period_changes_nothing)
         cloud.blocks[0] = test_block(0.33 * k, 0.71 * k, 1 + 0.33 * k, 1 + 0.71 * k);
         cloud.blocks[0].perturb.amplitude = 0.2;
         sph2d_obstacle obstacle = sph2d_obstacle_default(); /* across two sides of one room */
-        obstacle.outline.kind = SPH2D_OUTLINE_CIRCLE;
-        obstacle.outline.circle = (sph2d_disc){{k ? 1.3 : 0.3, 0.8}, 0.12};
+        obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
+        obstacle.shape.circle = (sph2d_circle){{k ? 1.3 : 0.3, 0.8}, 0.12};
         cloud.scene.obstacles = &obstacle;
         cloud.scene.obstacle_count = 1;
         cloud.scene.blocks = cloud.blocks;

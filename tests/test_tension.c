@@ -248,12 +248,12 @@ END_TEST
 START_TEST(what_only_reflects_is_no_wall)
 {
     sph2d_obstacle obstacles[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
-    obstacles[0].outline.kind = obstacles[1].outline.kind = SPH2D_OUTLINE_BOX;
-    obstacles[0].outline.box = (sph2d_box){{-0.1, -0.1}, {0.3, -0.5 * DX}};
+    obstacles[0].shape.kind = obstacles[1].shape.kind = SPH2D_SHAPE_BOX;
+    obstacles[0].shape.box = (sph2d_box){{-0.1, -0.1}, {0.3, -0.5 * DX}};
     obstacles[0].form = SPH2D_WALL_REFLECT;
     scene.method.name = SPH2D_METHOD_PCISPH;
     scene.method.sound_speed = 0;
-    obstacles[1].outline.box = (sph2d_box){{0.5, 0.5}, {0.6, 0.6}};
+    obstacles[1].shape.box = (sph2d_box){{0.5, 0.5}, {0.6, 0.6}};
     scene.obstacles = obstacles;
     scene.obstacle_count = 2;
     blocks[0].perturb.amplitude = 0;

@@ -23,8 +23,8 @@ static void start_with(double thick)
     scene.domain = (sph2d_box){{0, 0}, {right + 1, 1.2}};
     scene.spacing = DX;
     obstacles[0] = sph2d_obstacle_default();
-    obstacles[0].outline.kind = SPH2D_OUTLINE_BOX;
-    obstacles[0].outline.box = (sph2d_box){{1, 0}, {right, 1.15}};
+    obstacles[0].shape.kind = SPH2D_SHAPE_BOX;
+    obstacles[0].shape.box = (sph2d_box){{1, 0}, {right, 1.15}};
     obstacles[1] = obstacles[2] = obstacles[0];
     blocks[0] = test_block(0, 0, 1, 1);
     blocks[1] = test_block(right, 0, right + 1, 0.5);
@@ -74,10 +74,10 @@ END_TEST
 START_TEST(several_walls_are_one_warning)
 {
     start_with(1);
-    obstacles[0].outline.box.max.y = 0.2;
-    obstacles[1].outline.box.min.y = 0.2;
-    obstacles[1].outline.box.max.y = 0.4;
-    obstacles[2].outline.box.min.y = 0.6; /* beside the liquid on the left alone */
+    obstacles[0].shape.box.max.y = 0.2;
+    obstacles[1].shape.box.min.y = 0.2;
+    obstacles[1].shape.box.max.y = 0.4;
+    obstacles[2].shape.box.min.y = 0.6; /* beside the liquid on the left alone */
     scene.obstacle_count = 3;
     ck_assert(is_warned("obstacles[0].box"));
     ck_assert_ptr_nonnull(strstr(report.items[0].message, "thick; the same holds for 1 more"));
@@ -98,7 +98,7 @@ START_TEST(no_warning_where_both_sides_press_the_same)
     else if (_i == 4) /* no weight: it needs a sound speed then */
         scene.gravity.y = 0, scene.method.sound_speed = 40;
     else { /* a shelf in a pool, which blocks are drawn through */
-        obstacles[0].outline.box = (sph2d_box){{0.3, 0.4}, {0.7, 0.4 + DX}};
+        obstacles[0].shape.box = (sph2d_box){{0.3, 0.4}, {0.7, 0.4 + DX}};
         scene.block_count = 1;
     }
     ck_assert(!is_warned("obstacles[0].box"));
@@ -111,7 +111,7 @@ START_TEST(gravity_says_what_is_high)
     start_with(1);
     scene.gravity = (sph2d_vec2){-9.81, 0};
     scene.domain.max.y = 2;
-    obstacles[0].outline.box = (sph2d_box){{0, 0.5}, {2, 0.5 + DX}};
+    obstacles[0].shape.box = (sph2d_box){{0, 0.5}, {2, 0.5 + DX}};
     blocks[0] = test_block(0, 0, 1, 0.5);
     blocks[1] = test_block(0, 0.5 + DX, _i ? 1 : 0.5, 1);
     ck_assert_int_eq(is_warned("obstacles[0].box"), !_i);
@@ -123,16 +123,16 @@ START_TEST(discs_and_polygons_are_measured_across)
     start_with(1.9);
     double middle = 1 + 0.95 * DX;
     if (_i == 0) {
-        obstacles[0].outline.kind = SPH2D_OUTLINE_CIRCLE;
-        obstacles[0].outline.circle = (sph2d_disc){{middle, 0.25}, 0.95 * DX};
+        obstacles[0].shape.kind = SPH2D_SHAPE_CIRCLE;
+        obstacles[0].shape.circle = (sph2d_circle){{middle, 0.25}, 0.95 * DX};
         ck_assert(is_warned("obstacles[0].circle"));
         return;
     }
     sph2d_vec2 plate[4] = {{1, 0}, {1.9 * DX + 1, 0}, {1.9 * DX + 1, 1.1}, {1, 1.1}};
     for (int k = 0; k < 4; ++k)
         points[k] = plate[_i == 1 ? k : 3 - k]; /* either way round */
-    obstacles[0].outline.kind = SPH2D_OUTLINE_POLYGON;
-    obstacles[0].outline.polygon = (sph2d_points){points, 4};
+    obstacles[0].shape.kind = SPH2D_SHAPE_POLYGON;
+    obstacles[0].shape.points = (sph2d_points){points, 4};
     ck_assert(is_warned("obstacles[0].polygon"));
 }
 END_TEST
@@ -160,8 +160,8 @@ START_TEST(walls_of_one_layer_are_as_thick_as_the_support)
     }
     points[0] = (sph2d_vec2){1, 0};
     points[1] = (sph2d_vec2){1, 1.1};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){points, 2};
+    obstacles[0].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){points, 2};
     ck_assert(is_warned("obstacles[0].line"));
     ck_assert_str_eq(report.items[0].hint, "draw it as a box or a polygon, 0.05 m thick or thicker");
 }
@@ -183,8 +183,8 @@ START_TEST(a_line_that_becomes_a_solid_is_thick_enough)
     start_with(0);
     points[0] = (sph2d_vec2){1, 0};
     points[1] = (sph2d_vec2){1, 1.1};
-    obstacles[0].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){points, 2};
+    obstacles[0].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){points, 2};
     obstacles[0].liquid = SPH2D_LIQUID_BOTH;
     ck_assert(!is_warned("obstacles[0].line"));
 }

@@ -14,7 +14,7 @@ enum { LINE, SLANTED, CORNER, CIRCLE, BOX, KNIFE, BOWL, TARGETS };
 enum { ANGLES = 5, MOST = 4000 };
 
 static const double DX = 0.02, G = 9.81, END = 0.06;
-static const sph2d_disc CIRCLE_AT = {{0.5, 0.3}, 0.15};
+static const sph2d_circle CIRCLE_AT = {{0.5, 0.3}, 0.15};
 static const sph2d_box BOX_AT = {{0.35, 0.1}, {0.65, 0.4}};
 static const sph2d_arc BOWL_AT = {{0.5, 0.6}, 0.5, TEST_PI, 2 * TEST_PI}; /* from side to side */
 
@@ -33,29 +33,29 @@ static const sph2d_vec2 aims[TARGETS] = {
     [BOX] = {0.45, 0.4}, [KNIFE] = {0.5, 0.4},     [BOWL] = {0.5, 0.1},
 };
 
-static sph2d_outline outline_of(int target)
+static sph2d_shape outline_of(int target)
 {
-    sph2d_outline outline = {0};
+    sph2d_shape outline = {0};
     switch (target) {
     case CIRCLE:
-        outline.kind = SPH2D_OUTLINE_CIRCLE;
+        outline.kind = SPH2D_SHAPE_CIRCLE;
         outline.circle = CIRCLE_AT;
         break;
     case BOX:
-        outline.kind = SPH2D_OUTLINE_BOX;
+        outline.kind = SPH2D_SHAPE_BOX;
         outline.box = BOX_AT;
         break;
     case BOWL:
-        outline.kind = SPH2D_OUTLINE_ARC;
+        outline.kind = SPH2D_SHAPE_ARC;
         outline.arc = BOWL_AT;
         break;
     case CORNER:
-        outline.kind = SPH2D_OUTLINE_POLYLINE;
-        outline.polyline = (sph2d_points){points[target], counts[target]};
+        outline.kind = SPH2D_SHAPE_POLYLINE;
+        outline.points = (sph2d_points){points[target], counts[target]};
         break;
     default:
-        outline.kind = SPH2D_OUTLINE_LINE;
-        outline.line = (sph2d_points){points[target], counts[target]};
+        outline.kind = SPH2D_SHAPE_LINE;
+        outline.points = (sph2d_points){points[target], counts[target]};
     }
     return outline;
 }
@@ -76,7 +76,7 @@ static sph2d_sim *jet(int target, sph2d_wall_form form, int angle, double step, 
     scene.spacing = DX;
     scene.method.time_step = step;
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline = outline_of(target);
+    obstacle.shape = outline_of(target);
     obstacle.form = form;
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;
@@ -206,7 +206,7 @@ START_TEST(a_nozzle_close_to_a_wall_does_not_feed_through_it)
     const double speed = 10, step = 0.95 * 2 * DX / speed;
     sph2d_scene scene = test_scene(DX, 0, 0, 1, 1);
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline = outline_of(LINE);
+    obstacle.shape = outline_of(LINE);
     obstacle.form = form_of(_i);
     sph2d_source source = sph2d_source_default();
     source.at = (sph2d_vec2){0.5, 0.3 + 0.9 * DX};
@@ -244,8 +244,8 @@ START_TEST(a_wall_that_moves_takes_what_rests_along)
     }
     sph2d_block particle = test_particle(DX, 0.5, 0.5, 0, 0);
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    obstacle.outline.line = (sph2d_points){line, 2};
+    obstacle.shape.kind = SPH2D_SHAPE_LINE;
+    obstacle.shape.points = (sph2d_points){line, 2};
     obstacle.form = SPH2D_WALL_REFLECT;
     obstacle.motion.path = (sph2d_pose_path){way, 2};
     scene.blocks = &particle;
@@ -283,7 +283,7 @@ START_TEST(nothing_gets_into_a_blade_that_turns)
     sph2d_block pool = test_block(0, 0, 1, 0.4);
     sph2d_obstacle blade = sph2d_obstacle_default();
     blade.form = kinds[_i].form;
-    blade.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.3, 0.2}, {0.7, 0.28}}};
+    blade.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.3, 0.2}, {0.7, 0.28}}};
     blade.motion.rate = 200;
     blade.motion.ramp = 0.02;
     scene.blocks = &pool;

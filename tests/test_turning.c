@@ -28,12 +28,12 @@ static void start_couette(void)
     scene.wall_slip = SPH2D_SLIP_NONE;
     scene.fluid.dynamic_viscosity = 50;
     block = sph2d_block_default();
-    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0, 0}, DRUM}};
+    block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0, 0}, DRUM}};
     block.arrangement = SPH2D_ARRANGEMENT_RINGS;
     for (int k = 0; k < 2; ++k) {
         obstacles[k] = sph2d_obstacle_default();
         obstacles[k].name = names[k];
-        obstacles[k].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0, 0}, k ? SHAFT : DRUM}};
+        obstacles[k].shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0, 0}, k ? SHAFT : DRUM}};
         probes[k] = sph2d_probe_default();
         probes[k].name = names[k];
         probes[k].kind = SPH2D_PROBE_FORCE;
@@ -105,11 +105,11 @@ START_TEST(a_hollow_obstacle_holds_water)
     scene.blocks = &block;
     scene.block_count = 1;
     if (_i == 0)
-        obstacles[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.1, 0.1}, {0.9, 0.9}}};
+        obstacles[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.1, 0.1}, {0.9, 0.9}}};
     if (_i == 1)
-        obstacles[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {corners, 5}};
+        obstacles[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {corners, 5}};
     if (_i == 2) {
-        obstacles[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.5, 0.5}, 0.4}};
+        obstacles[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.5, 0.5}, 0.4}};
         block = test_block(0.24, 0.2, 0.76, 0.5);
     }
     scene.obstacles = obstacles;
@@ -141,7 +141,7 @@ END_TEST
 START_TEST(layers_of_a_hollow_obstacle_are_around_it)
 {
     start_couette();
-    obstacles[0].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{-0.4, -0.4}, {0.4, 0.2}}};
+    obstacles[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{-0.4, -0.4}, {0.4, 0.2}}};
     scene.obstacle_count = 1;
     scene.probe_count = 1;
     block = test_block(-0.4, -0.4, 0.4, 0);
@@ -165,7 +165,7 @@ START_TEST(a_line_has_no_inside)
     static const sph2d_vec2 ends[] = {{0, 0}, {0.1, 0.1}};
     sph2d_report report = {0};
     start_couette();
-    obstacles[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_LINE, .line = {ends, 2}};
+    obstacles[1].shape = (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {ends, 2}};
     obstacles[1].liquid = SPH2D_LIQUID_INSIDE;
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
     ck_assert_str_eq(report.items[0].path, "obstacles[1].liquid");

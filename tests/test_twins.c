@@ -106,7 +106,7 @@ static void strike(sph2d_sim *sim)
 
 static void take(sph2d_sim *sim)
 {
-    const sph2d_shape shape = {.kind = SPH2D_SHAPE_DISC, .disc = {{0.5, 0.16}, 0.06}};
+    const sph2d_shape shape = {.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.5, 0.16}, 0.06}};
     ck_assert_int_eq(sph2d_sim_remove_particles(sim, &shape, NULL), SPH2D_OK);
 }
 

@@ -95,8 +95,7 @@ START_TEST(energy_and_momentum_are_kept_to_rounding)
     add(0, 0, 2, 0.5);
     add(0.3, 0.8, 0.8, 1.3)->velocity.x = 1;
     pool.obstacle = sph2d_obstacle_default();
-    pool.obstacle.outline =
-        (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {.center = {1.3, 0.6}, .radius = 0.25}};
+    pool.obstacle.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {.center = {1.3, 0.6}, .radius = 0.25}};
     if (_i == 1) {
         pool.obstacle.motion.amplitude = (sph2d_vec2){0.1, 0};
         pool.obstacle.motion.frequency = 1;
@@ -160,9 +159,9 @@ START_TEST(a_drop_in_a_central_force_goes_on)
     pool.scene.central_force.rate = 1;
     pool.scene.method.sound_speed = 15;
     sph2d_block *block = add(0, 0, 0, 0);
-    block->shape.kind = SPH2D_SHAPE_DISC;
-    block->shape.disc.center = (sph2d_vec2){2, 2};
-    block->shape.disc.radius = 1;
+    block->shape.kind = SPH2D_SHAPE_CIRCLE;
+    block->shape.circle.center = (sph2d_vec2){2, 2};
+    block->shape.circle.radius = 1;
     block->start.flow = (sph2d_flow){SPH2D_FLOW_STRAIN, .speed = 0.5, .length = 1, .center = {2, 2}};
     start();
     const sph2d_summary before = sph2d_sim_summary(pool.sim);
@@ -182,7 +181,7 @@ START_TEST(a_corner_full_comes_to_rest)
     lay_out(DX, 1.7, 1.7, 0.001);
     pool.scene.gravity = (sph2d_vec2){-G / sqrt(2), -G / sqrt(2)};
     sph2d_block *block = add(0, 0, 0, 0);
-    block->shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .polygon = {corners, 3}};
+    block->shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {corners, 3}};
     block->start = (sph2d_start){.flow = {.kind = SPH2D_FLOW_STILL, .center = {sqrt(0.5), sqrt(0.5)}}};
     start();
     const double before = run_until(0).potential;
@@ -226,7 +225,7 @@ START_TEST(walls_hold_by_themselves)
     lay_out(0.02, 1, 1, 0);
     add(0, 0, 0.4, 0.6);
     pool.obstacle = sph2d_obstacle_default();
-    pool.obstacle.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.7, 0}, {0.8, 0.2}}};
+    pool.obstacle.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.7, 0}, {0.8, 0.2}}};
     pool.scene.obstacles = &pool.obstacle;
     pool.scene.obstacle_count = 1;
     start();

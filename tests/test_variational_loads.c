@@ -35,7 +35,7 @@ static void add_body(double x0, double y0, double x1, double y1, double density)
     pool.body = sph2d_body_default();
     pool.body.name = "body";
     pool.body.density = density;
-    pool.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{x0, y0}, {x1, y1}}};
+    pool.body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{x0, y0}, {x1, y1}}};
     pool.scene.bodies = &pool.body;
     pool.scene.body_count = 1;
 }
@@ -333,7 +333,7 @@ START_TEST(close_pairs_give_back_what_they_took)
 {
     lay_out(0.02, 0.6, 0.6);
     pool.block = sph2d_block_default();
-    pool.block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.3, 0.2}, 0.12}};
+    pool.block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.3, 0.2}, 0.12}};
     pool.block.velocity = (sph2d_vec2){0, -2};
     const sph2d_summary s = run_until(0.5);
     balances(&s, 1e-6);

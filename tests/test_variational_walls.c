@@ -19,7 +19,7 @@ static struct {
 } thrown;
 
 /** Ideal liquid without surface tension and an obstacle, in a domain that is open on all sides. */
-static void lay_out(double dx, sph2d_outline obstacle)
+static void lay_out(double dx, sph2d_shape obstacle)
 {
     memset(&thrown, 0, sizeof thrown);
     thrown.scene = sph2d_scene_default();
@@ -30,7 +30,7 @@ static void lay_out(double dx, sph2d_outline obstacle)
     thrown.scene.blocks = &thrown.block;
     thrown.scene.block_count = 1;
     thrown.obstacle = sph2d_obstacle_default();
-    thrown.obstacle.outline = obstacle;
+    thrown.obstacle.shape = obstacle;
     thrown.scene.obstacles = &thrown.obstacle;
     thrown.scene.obstacle_count = 1;
 }
@@ -53,7 +53,7 @@ static void balances(const sph2d_summary *s)
 /** What is let go below a shelf falls, all of it: what is left is a film, which no wall holds by tension. */
 START_TEST(a_shelf_lets_water_go)
 {
-    lay_out(0.01, (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.2, 0.8}, {0.8, 0.9}}});
+    lay_out(0.01, (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.2, 0.8}, {0.8, 0.9}}});
     thrown.block = test_block(0.45, 0.75, 0.55, 0.8);
     sph2d_summary s = run_until(0.8);
     balances(&s);
@@ -67,11 +67,11 @@ END_TEST
 /** A drop that meets a circle without gravity leaves it in two sheets, since no pressure turns it round the back. */
 START_TEST(a_drop_leaves_a_circle_in_two_sheets)
 {
-    lay_out(0.01, (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{1, 0.5}, 0.12}});
+    lay_out(0.01, (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{1, 0.5}, 0.12}});
     thrown.obstacle.liquid = SPH2D_LIQUID_BOTH;
     thrown.scene.gravity = (sph2d_vec2){0, 0};
     thrown.block = sph2d_block_default();
-    thrown.block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.4, 0.53}, 0.2}};
+    thrown.block.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.4, 0.53}, 0.2}};
     thrown.block.velocity = (sph2d_vec2){1.5, 0};
     sph2d_summary s = run_until(0.8);
     balances(&s);
@@ -92,7 +92,7 @@ END_TEST
 /** What falls past the end of a sheet, half a spacing beside it, goes on. */
 START_TEST(a_jet_passes_the_end_of_a_sheet)
 {
-    lay_out(0.01, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {sheet, 2}});
+    lay_out(0.01, (sph2d_shape){.kind = SPH2D_SHAPE_POLYLINE, .points = {sheet, 2}});
     thrown.block = test_block(0.505, 0.8, 0.56, 1);
     thrown.block.velocity = (sph2d_vec2){0, -2};
     sph2d_summary s = run_until(0.2);
@@ -106,7 +106,7 @@ END_TEST
 /** A jet leaves a duct as wide as it was: beside the duct's end no wall is, which it would leave. */
 START_TEST(a_jet_leaves_a_duct_straight)
 {
-    lay_out(0.02, (sph2d_outline){0});
+    lay_out(0.02, (sph2d_shape){0});
     thrown.scene.obstacle_count = thrown.scene.block_count = 0;
     thrown.scene.gravity = (sph2d_vec2){0, 0};
     thrown.opening = sph2d_opening_default();
@@ -135,7 +135,7 @@ END_TEST
  *  are those of the same boundary particles, none of them beyond the floor. */
 START_TEST(a_box_sinks_to_a_mirror)
 {
-    lay_out(0.02, (sph2d_outline){0});
+    lay_out(0.02, (sph2d_shape){0});
     thrown.scene.obstacle_count = 0;
     thrown.scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
     thrown.block = test_block(0, 0, 1.5, 0.3);
@@ -143,7 +143,7 @@ START_TEST(a_box_sinks_to_a_mirror)
     thrown.body.name = "box";
     thrown.body.density = 6000;
     thrown.body.rate = 0.5;
-    thrown.body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.6, 0.305}, {0.8, 0.4}}};
+    thrown.body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.6, 0.305}, {0.8, 0.4}}};
     thrown.scene.bodies = &thrown.body;
     thrown.scene.body_count = 1;
     sph2d_summary s = run_until(0.6);
@@ -156,7 +156,7 @@ END_TEST
 /** Few particles splash on a floor, which mirrors them, and run off: their energy never rises, whatever neighbours they have. */
 START_TEST(a_floor_gives_no_energy)
 {
-    lay_out(0.05, (sph2d_outline){0});
+    lay_out(0.05, (sph2d_shape){0});
     thrown.scene.obstacle_count = 0;
     thrown.scene.boundary = (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN, SPH2D_SIDE_WALL, SPH2D_SIDE_OPEN};
     thrown.block = test_block(0, 0, 0.2, 0.6);
@@ -183,7 +183,7 @@ static double mean_height(double x0, double x1)
 /** Liquids on both sides of a wall a spacing thick do not see each other. */
 START_TEST(a_thin_wall_holds_a_head)
 {
-    lay_out(0.02, (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = {{0.49, 0}, {0.51, 0.55}}});
+    lay_out(0.02, (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.49, 0}, {0.51, 0.55}}});
     sph2d_block blocks[] = {test_block(0, 0, 0.49, 0.4), test_block(0.51, 0, 1, 0.2)};
     thrown.scene.domain = (sph2d_box){{0, 0}, {1, 0.6}};
     thrown.scene.boundary = sph2d_scene_default().boundary;
@@ -203,7 +203,7 @@ END_TEST
 START_TEST(a_wedge_leaves_a_tank_at_rest)
 {
     static const sph2d_vec2 wedge[] = {{0.3, 0.3}, {1.8, 0.32}, {1.8, 0.35}};
-    lay_out(0.025, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {wedge, 3}});
+    lay_out(0.025, (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {wedge, 3}});
     thrown.block = test_block(0, 0, 2, 0.6);
     thrown.scene.domain = (sph2d_box){{0, 0}, {2, 1}};
     thrown.scene.boundary = sph2d_scene_default().boundary;
@@ -225,10 +225,10 @@ START_TEST(a_tip_beside_a_sheet_is_as_thick_as_a_wall)
 {
     static const sph2d_vec2 chute[] = {{0.4, 0.8}, {0.9, 0.8}},
                             blade[] = {{1.1602, 0.5757}, {0.9304, 0.7685}, {0.9496, 0.7915}, {1.1794, 0.5987}};
-    lay_out(0.02, (sph2d_outline){.kind = SPH2D_OUTLINE_POLYLINE, .polyline = {chute, 2}});
+    lay_out(0.02, (sph2d_shape){.kind = SPH2D_SHAPE_POLYLINE, .points = {chute, 2}});
     sph2d_obstacle walls[] = {thrown.obstacle, sph2d_obstacle_default()};
     walls[0].liquid = SPH2D_LIQUID_LEFT;
-    walls[1].outline = (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = {blade, 4}};
+    walls[1].shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {blade, 4}};
     thrown.scene.domain.max.y = 1.2;
     thrown.scene.obstacles = walls;
     thrown.scene.obstacle_count = 2;

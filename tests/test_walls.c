@@ -166,9 +166,9 @@ START_TEST(reflecting_particles_neither_weigh_nor_press)
      */
     sph2d_vec2 ends[2] = {{-0.1, 0}, {0.1, 0}}, beside[2] = {{-0.1, 0.4 * DX}, {0.1, 0.4 * DX}};
     sph2d_obstacle obstacles[2] = {sph2d_obstacle_default(), sph2d_obstacle_default()};
-    obstacles[0].outline.kind = obstacles[1].outline.kind = SPH2D_OUTLINE_LINE;
-    obstacles[0].outline.line = (sph2d_points){ends, 2};
-    obstacles[1].outline.line = (sph2d_points){beside, 2};
+    obstacles[0].shape.kind = obstacles[1].shape.kind = SPH2D_SHAPE_LINE;
+    obstacles[0].shape.points = (sph2d_points){ends, 2};
+    obstacles[1].shape.points = (sph2d_points){beside, 2};
     obstacles[1].form = SPH2D_WALL_REFLECT;
     sph2d_scene scene = test_open_scene(DX, -1, -1, 1, 1);
     sph2d_block block = test_particle(DX, 0.003, -0.8 * DX, 0, 0);
@@ -218,8 +218,8 @@ static sph2d_sim *drop(int index, double height, double viscosity)
     scene.walls = form == HEAVY_SIDE ? SPH2D_WALL_HEAVY : form == REFLECT_SIDE ? SPH2D_WALL_REFLECT : SPH2D_WALL_SPRING;
     sph2d_vec2 line[2] = {{0, LEVEL}, {40 * DX, LEVEL}};
     sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.outline.kind = SPH2D_OUTLINE_LINE;
-    obstacle.outline.line = (sph2d_points){line, 2};
+    obstacle.shape.kind = SPH2D_SHAPE_LINE;
+    obstacle.shape.points = (sph2d_points){line, 2};
     obstacle.form = form == REFLECT_LINE ? SPH2D_WALL_REFLECT : SPH2D_WALL_HEAVY;
     scene.obstacles = &obstacle;
     scene.obstacle_count = form >= HEAVY_LINE;

@@ -74,7 +74,7 @@ sph2d_obstacle *drawn_list(sph2d_scene *scene, size_t given, size_t from, size_t
     const size_t pieces = line ? line->pieces : 0, count = scene->obstacle_count - (to - from) + pieces;
     size_t corners = line ? line->start[pieces] + pieces : 0; /* two pieces share one */
     for (size_t k = given; k < scene->obstacle_count; ++k)
-        corners += scene->obstacles[k].outline.polyline.count;
+        corners += scene->obstacles[k].shape.points.count;
     sph2d_obstacle *list = malloc(count * sizeof *list + corners * sizeof(sph2d_vec2) + 1);
     if (!list)
         return NULL;
@@ -87,10 +87,10 @@ sph2d_obstacle *drawn_list(sph2d_scene *scene, size_t given, size_t from, size_t
         *wall = k < scene->obstacle_count ? scene->obstacles[k] : sph2d_obstacle_default();
         if (k < given)
             continue;
-        sph2d_points *points = &wall->outline.polyline;
+        sph2d_points *points = &wall->shape.points;
         if (line && k >= scene->obstacle_count) {
             const size_t *start = &line->start[k - scene->obstacle_count];
-            wall->outline.kind = SPH2D_OUTLINE_POLYLINE;
+            wall->shape.kind = SPH2D_SHAPE_POLYLINE;
             wall->liquid = SPH2D_LIQUID_BOTH;
             *points = (sph2d_points){line->corners + start[0], start[1] - start[0] + 1};
         }
@@ -106,8 +106,7 @@ sph2d_obstacle *drawn_list(sph2d_scene *scene, size_t given, size_t from, size_t
 /* Whether a drawn wall begins where the one before ends. */
 static bool goes_on(const sph2d_scene *scene, size_t k)
 {
-    const sph2d_points *before = &scene->obstacles[k - 1].outline.polyline,
-                       *here = &scene->obstacles[k].outline.polyline;
+    const sph2d_points *before = &scene->obstacles[k - 1].shape.points, *here = &scene->obstacles[k].shape.points;
     const sph2d_vec2 a = before->items[before->count - 1], b = here->items[0];
     return a.x == b.x && a.y == b.y;
 }
@@ -116,7 +115,7 @@ void drawn_find(const sph2d_scene *scene, size_t given, sph2d_vec2 at, double re
 {
     *from = *to = 0;
     for (size_t k = given; k < scene->obstacle_count; ++k) {
-        const sph2d_points *line = &scene->obstacles[k].outline.polyline;
+        const sph2d_points *line = &scene->obstacles[k].shape.points;
         for (size_t i = 0; i + 1 < line->count; ++i)
             if (distance(line->items + i, at) < reach) {
                 reach = distance(line->items + i, at);

@@ -50,7 +50,7 @@ static sph2d_status pour(const hand *h, live *l)
 
 static sph2d_status wipe(const hand *h, live *l)
 {
-    const sph2d_shape shape = {.kind = SPH2D_SHAPE_DISC, .disc = {h->at, h->radius}};
+    const sph2d_shape shape = {.kind = SPH2D_SHAPE_CIRCLE, .circle = {h->at, h->radius}};
     return sph2d_sim_remove_particles(l->sim, &shape, NULL);
 }
 

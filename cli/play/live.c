@@ -217,7 +217,7 @@ static sph2d_status clear_way(const live *l, sph2d_sim *sim, const drawn_line *l
     for (size_t k = 0; k < line->pieces && status == SPH2D_OK; ++k) {
         sph2d_vec2 corners[2 * DRAWN_MOST_CORNERS];
         size_t count = drawn_solid(line, k, live_wall_thickness(l) + 2 * more, more, corners), here = 0;
-        const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .polygon = {corners, count}};
+        const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .points = {corners, count}};
         status = sph2d_sim_remove_particles(sim, &shape, &here);
         *removed += here;
     }

@@ -118,6 +118,9 @@ typedef struct sph2d_key {
     /** Of a WORD: whether a file may give it in place of the group, `method: wcsph`. */
     bool stands_alone;
 
+    /** Another word for it, which files may use as well; NULL for none. */
+    const char *also;
+
     /** The sph2d_feature (method.h) that the key needs; 0: all methods have it. */
     int feature;
 

@@ -47,14 +47,14 @@ typedef struct sph2d_box {
     sph2d_vec2 min, max;
 } sph2d_box;
 
-/** A disc or circle. */
-typedef struct sph2d_disc {
+/** A circle, or the disc within it. */
+typedef struct sph2d_circle {
     /** Centre [m]. */
     sph2d_vec2 center;
 
     /** Radius [m], > 0. */
     double radius;
-} sph2d_disc;
+} sph2d_circle;
 
 /** A part of a circle, from one angle anticlockwise to another. */
 typedef struct sph2d_arc {
@@ -86,7 +86,7 @@ typedef struct sph2d_rate {
     double every;
 } sph2d_rate;
 
-/** The area of a block or drain: a kind, and the field of that name. */
+/** A closed shape or a line: a kind, and its field. Blocks, drains and bodies have closed ones. */
 typedef struct sph2d_shape {
     /** Which of the fields below is used. */
     sph2d_shape_kind kind;
@@ -94,36 +94,16 @@ typedef struct sph2d_shape {
     /** A rectangle. */
     sph2d_box box;
 
-    /** A disc. */
-    sph2d_disc disc;
-
-    /** Vertices, 3 to 10000, closed automatically. */
-    sph2d_points polygon;
-} sph2d_shape;
-
-/** The line of an obstacle: a kind, and the field of that name. */
-typedef struct sph2d_outline {
-    /** Which of the fields below is used. */
-    sph2d_outline_kind kind;
-
-    /** Two ends. */
-    sph2d_points line;
-
-    /** Two points or more, open. */
-    sph2d_points polyline;
-
     /** A circle. */
-    sph2d_disc circle;
+    sph2d_circle circle;
 
-    /** The four sides of a rectangle. */
-    sph2d_box box;
+    /** The vertices of a polygon, 3 to 10000, closed automatically; the ends of a line; the points of a polyline, 2 or
+     *  more. */
+    sph2d_points points;
 
-    /** Vertices, 3 to 10000, closed automatically: a solid. */
-    sph2d_points polygon;
-
-    /** A part of a circle, open: its centre is on its left. */
+    /** A part of a circle: its centre is on its left. */
     sph2d_arc arc;
-} sph2d_outline;
+} sph2d_shape;
 
 /** Boundary conditions at the four sides of the domain. */
 typedef struct sph2d_boundary {
@@ -649,7 +629,7 @@ typedef struct sph2d_obstacle {
     const char *name;
 
     /** Its line; must be given. */
-    sph2d_outline outline;
+    sph2d_shape shape;
 
     /** Lines, polylines and arcs with layers: on which side the liquid is; default auto. */
     sph2d_liquid_side liquid;
@@ -717,7 +697,7 @@ typedef struct sph2d_body {
     const char *name;
 
     /** A circle, box or polygon; must be given. */
-    sph2d_outline outline;
+    sph2d_shape shape;
 
     /** Density [kg/m^3], > 0; this or the mass must be given. Default 0: mass over area. */
     double density;
@@ -1037,6 +1017,14 @@ SPH2D_API sph2d_fluid sph2d_fluid_of(sph2d_material material);
 /** Reports every error in the structs: ranges, conflicts, positions outside the domain. Overlaps of blocks are found
  *  when particles are placed (sph2d_scene_plan, sph2d_sim_create). Errors: SPH2D_SCENE, SPH2D_INVALID for NULL. */
 SPH2D_API sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report);
+
+/** The centroid of a closed shape's area, or of a line of constant weight [m]; the origin for a shape without points, NaN for
+ *  NULL. */
+SPH2D_API sph2d_vec2 sph2d_shape_centroid(const sph2d_shape *shape);
+
+/** The number of corners of a shape, and, where `corners` is not NULL, these, in the order of its line [m]: those of circles
+ *  and arcs, which become chords, are no further apart than `spacing` [m]. 0 for NULL and shapes without points. */
+SPH2D_API size_t sph2d_shape_corners(const sph2d_shape *shape, double spacing, sph2d_vec2 *corners);
 
 /** Seconds between outputs [s]; 0 for none. */
 SPH2D_API double sph2d_rate_interval(sph2d_rate rate);

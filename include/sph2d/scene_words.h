@@ -164,7 +164,7 @@ typedef enum sph2d_state_equation {
     SPH2D_STATE_TAIT = 1
 } sph2d_state_equation;
 
-/** The area of a block or drain. */
+/** What a shape is: a closed one, which bounds an area, or a line. */
 typedef enum sph2d_shape_kind {
     /** Not given: refused. */
     SPH2D_SHAPE_NONE = 0,
@@ -172,36 +172,21 @@ typedef enum sph2d_shape_kind {
     /** A rectangle. */
     SPH2D_SHAPE_BOX,
 
-    /** A disc. */
-    SPH2D_SHAPE_DISC,
+    /** A circle, or the disc within it. */
+    SPH2D_SHAPE_CIRCLE,
 
-    /** Vertices, 3 to 10000, closed automatically, without self-intersection. */
-    SPH2D_SHAPE_POLYGON
-} sph2d_shape_kind;
-
-/** The line of an obstacle. */
-typedef enum sph2d_outline_kind {
-    /** Not given: refused. */
-    SPH2D_OUTLINE_NONE = 0,
+    /** Vertices, 3 to 10000, closed automatically, in either orientation, without self-intersection. */
+    SPH2D_SHAPE_POLYGON,
 
     /** Two points. */
-    SPH2D_OUTLINE_LINE,
+    SPH2D_SHAPE_LINE,
 
     /** Two points or more, open. */
-    SPH2D_OUTLINE_POLYLINE,
-
-    /** A circle. */
-    SPH2D_OUTLINE_CIRCLE,
-
-    /** The four sides of a rectangle. */
-    SPH2D_OUTLINE_BOX,
-
-    /** Vertices, 3 to 10000, closed automatically, in either orientation, without self-intersection: a solid. */
-    SPH2D_OUTLINE_POLYGON,
+    SPH2D_SHAPE_POLYLINE,
 
     /** A part of a circle, open. */
-    SPH2D_OUTLINE_ARC
-} sph2d_outline_kind;
+    SPH2D_SHAPE_ARC
+} sph2d_shape_kind;
 
 /** On which side of an outline with layers the liquid is, for lines looking from the first point to the last. */
 typedef enum sph2d_liquid_side {

@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "base/memory.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 
 /* A particle in a corner slides along one wall and meets the next; after so many hits it stays where it was. */
 enum { SPH2D__MAX_STOPS = 4 };

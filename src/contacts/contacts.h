@@ -27,15 +27,18 @@ enum { SPH2D__SIDE_LEFT, SPH2D__SIDE_RIGHT, SPH2D__SIDE_BOTTOM, SPH2D__SIDE_TOP,
 
 /** A body or an obstacle where it is now, or a periodic image of a body. */
 typedef struct sph2d__placed {
-    const sph2d_outline *outline;
-    sph2d_vec2 from, to;     /**< its centre in the scene, and now [m] */
-    double cosine, sine;     /**< of the angle by which it has turned */
-    sph2d_vec2 velocity;     /**< of an obstacle's centre [m/s] */
-    double rate;             /**< of an obstacle [rad/s] */
-    uint32_t number;         /**< of the body; the number of bodies for obstacles */
-    uint32_t wall;           /**< of an obstacle or side: its place in wall_work */
-    bool image;              /**< whether it is a periodic image */
-    bool hollow;             /**< whether an obstacle has the liquid inside */
+    const sph2d_shape *shape;
+    sph2d_vec2 from, to;       /**< its centre in the scene, and now [m] */
+    double cosine, sine;       /**< of the angle by which it has turned */
+    sph2d_vec2 velocity;       /**< of an obstacle's centre [m/s] */
+    double rate;               /**< of an obstacle [rad/s] */
+    uint32_t number;           /**< of the body; the number of bodies for obstacles */
+    uint32_t wall;             /**< of an obstacle or side: its place in wall_work */
+    bool image;                /**< whether it is a periodic image */
+    bool hollow;               /**< whether an obstacle has the liquid inside */
+    const sph2d_vec2 *corners; /**< where they are now, with those of arcs; none of a circle */
+    size_t corner_count;
+    sph2d_vec2 center;       /**< of a circle, where it is now */
     sph2d_box box;           /**< around all of it, grown by the margin */
     struct cpShape **pieces; /**< convex pieces, once they are needed */
     size_t piece_count;      /**< 0: along its outline instead (sph2d__edge) */
@@ -90,12 +93,8 @@ sph2d_status sph2d__contacts_solve(const sph2d_scene *scene, const sph2d_body_st
 
 /* ---- place.c ----------------------------------------------------------------------------------------------------- */
 
-/** Number of corners of an outline; 0 of a circle. */
-size_t sph2d__corner_count(const sph2d_outline *outline);
-/** A corner where it is now. */
-sph2d_vec2 sph2d__corner(const sph2d__placed *placed, size_t index);
-/** The centre of a circle where it is now. */
-sph2d_vec2 sph2d__circle_center(const sph2d__placed *placed);
+/** Sets the corners of what is placed, or a circle's centre. False when memory is short. */
+bool sph2d__place_corners(sph2d__contacts *c, sph2d__placed *placed);
 /** Velocity of the point of an obstacle that is at a position now [m/s]. */
 sph2d_vec2 sph2d__wall_velocity(const sph2d__placed *placed, sph2d_vec2 at);
 /** Sets margin, bodies and obstacles where they are now. */

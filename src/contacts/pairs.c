@@ -43,7 +43,8 @@ static sph2d_status add_images(sph2d__contacts *c, uint32_t body, double width, 
             shift(&image, i * width, j * height);
             if ((i == 0 && j == 0) || !overlap(&image.box, reach))
                 continue;
-            if (!sph2d__room_for_one(&c->memory, (void **)&c->placed, c->placed_count, &c->placed_room,
+            if (!sph2d__place_corners(c, &image) ||
+                !sph2d__room_for_one(&c->memory, (void **)&c->placed, c->placed_count, &c->placed_room,
                                      sizeof *c->placed))
                 return SPH2D_NOMEM;
             c->placed[c->placed_count++] = image;
@@ -65,6 +66,8 @@ static sph2d_status add_all_images(sph2d__contacts *c)
         sph2d__placed *body = &c->placed[i];
         shift(body, width > 0 ? -width * floor((body->to.x - reach.min.x) / width) : 0,
               height > 0 ? -height * floor((body->to.y - reach.min.y) / height) : 0);
+        if (!sph2d__place_corners(c, body))
+            return SPH2D_NOMEM;
         widest = fmax(widest, body->box.max.x - body->box.min.x);
         highest = fmax(highest, body->box.max.y - body->box.min.y);
     }

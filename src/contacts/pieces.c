@@ -20,8 +20,7 @@ static cpVect vector(sph2d_vec2 v)
 
 static bool is_open(const sph2d__placed *placed)
 {
-    sph2d_outline_kind kind = placed->outline->kind;
-    return kind == SPH2D_OUTLINE_LINE || kind == SPH2D_OUTLINE_POLYLINE || kind == SPH2D_OUTLINE_ARC;
+    return placed->shape->kind >= SPH2D_SHAPE_LINE;
 }
 
 /** Whether a corner is, but for rounding, on the line between its neighbours. */
@@ -36,14 +35,14 @@ static bool is_straight(sph2d_vec2 a, sph2d_vec2 b, sph2d_vec2 c)
  *  short. */
 static sph2d_vec2 *corners_of(sph2d__contacts *c, const sph2d__placed *placed, int *count)
 {
-    size_t all = sph2d__corner_count(placed->outline);
+    size_t all = placed->corner_count;
     sph2d_vec2 *corners = sph2d__arena_alloc(&c->arena, &c->memory, all, sizeof *corners);
     if (!corners)
         return NULL;
     int n = 0;
     double area = 0;
     for (size_t i = 0; i < all; ++i) {
-        sph2d_vec2 p = sph2d__corner(placed, i);
+        sph2d_vec2 p = placed->corners[i];
         while (n > 1 && is_straight(corners[n - 2], corners[n - 1], p))
             --n;
         corners[n++] = p;
@@ -115,8 +114,8 @@ static sph2d_status keep_circle(sph2d__contacts *c, sph2d__placed *placed)
     placed->pieces = sph2d__arena_alloc(&c->arena, &c->memory, 1, sizeof *placed->pieces);
     if (!placed->pieces)
         return SPH2D_NOMEM;
-    double radius = placed->outline->circle.radius + c->margin;
-    keep(placed, cpCircleShapeNew(c->ground, radius, vector(sph2d__circle_center(placed))));
+    double radius = placed->shape->circle.radius + c->margin;
+    keep(placed, cpCircleShapeNew(c->ground, radius, vector(placed->center)));
     return SPH2D_OK;
 }
 
@@ -127,7 +126,7 @@ sph2d_status sph2d__cut(sph2d__contacts *c, sph2d__placed *placed)
     if (!c->ground)
         c->ground = cpBodyNewStatic();
     placed->cut = true;
-    if (placed->outline->kind == SPH2D_OUTLINE_CIRCLE)
+    if (placed->shape->kind == SPH2D_SHAPE_CIRCLE)
         return keep_circle(c, placed);
     if (placed->hollow || is_open(placed))
         return SPH2D_OK;
@@ -143,22 +142,22 @@ sph2d_status sph2d__cut(sph2d__contacts *c, sph2d__placed *placed)
 
 size_t sph2d__edge_count(const sph2d__placed *placed)
 {
-    size_t corners = sph2d__corner_count(placed->outline);
+    size_t corners = placed->corner_count;
     return is_open(placed) && corners > 0 ? corners - 1 : corners;
 }
 
 cpShape *sph2d__edge(const sph2d__contacts *c, const sph2d__placed *placed, size_t index, const sph2d_box *box)
 {
-    size_t count = sph2d__corner_count(placed->outline);
-    cpVect a = vector(sph2d__corner(placed, index)), b = vector(sph2d__corner(placed, (index + 1) % count));
+    size_t count = placed->corner_count;
+    cpVect a = vector(placed->corners[index]), b = vector(placed->corners[(index + 1) % count]);
     double m = c->margin;
     if (cpfmin(a.x, b.x) - m > box->max.x || cpfmax(a.x, b.x) + m < box->min.x || cpfmin(a.y, b.y) - m > box->max.y ||
         cpfmax(a.y, b.y) + m < box->min.y)
         return NULL;
     bool first = is_open(placed) && index == 0, last = is_open(placed) && index + 2 == count;
     cpShape *shape = cpSegmentShapeNew(c->ground, a, b, m);
-    cpSegmentShapeSetNeighbors(shape, first ? a : vector(sph2d__corner(placed, (index + count - 1) % count)),
-                               last ? b : vector(sph2d__corner(placed, (index + 2) % count)));
+    cpSegmentShapeSetNeighbors(shape, first ? a : vector(placed->corners[(index + count - 1) % count]),
+                               last ? b : vector(placed->corners[(index + 2) % count]));
     cpShapeUpdate(shape, cpTransformIdentity);
     return shape;
 }

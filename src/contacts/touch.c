@@ -39,11 +39,11 @@ static sph2d_status add(sph2d__contacts *c, const sph2d__placed *a, const sph2d_
 static sph2d_status collide_circle(sph2d__contacts *c, const sph2d__placed *a, const sph2d__placed *b,
                                    const cpShape *polygon)
 {
-    const sph2d__placed *circle = a->outline->kind == SPH2D_OUTLINE_CIRCLE ? a : b;
-    sph2d_vec2 center = sph2d__circle_center(circle);
+    const sph2d__placed *circle = a->shape->kind == SPH2D_SHAPE_CIRCLE ? a : b;
+    sph2d_vec2 center = circle->center;
     cpPointQueryInfo nearest;
     double distance = cpShapePointQuery(polygon, cpv(center.x, center.y), &nearest) + c->margin;
-    double gap = distance - circle->outline->circle.radius;
+    double gap = distance - circle->shape->circle.radius;
     if (gap > 2 * c->margin)
         return SPH2D_OK;
     /* The gradient leads from the polygon to the centre. */
@@ -56,7 +56,7 @@ static sph2d_status collide_circle(sph2d__contacts *c, const sph2d__placed *a, c
 /** Whether the outline of `a` is a circle, and `b` is a polygon. */
 static bool circle_and_polygon(const sph2d__placed *a, const sph2d__placed *b)
 {
-    return a->outline->kind == SPH2D_OUTLINE_CIRCLE && b->outline->kind != SPH2D_OUTLINE_CIRCLE && b->piece_count > 0;
+    return a->shape->kind == SPH2D_SHAPE_CIRCLE && b->shape->kind != SPH2D_SHAPE_CIRCLE && b->piece_count > 0;
 }
 
 /** Adds the contacts of two shapes. */
@@ -122,14 +122,14 @@ typedef struct points {
 
 static points points_of(const sph2d__placed *placed)
 {
-    if (placed->outline->kind == SPH2D_OUTLINE_CIRCLE)
-        return (points){1, placed->outline->circle.radius};
-    return (points){sph2d__corner_count(placed->outline), 0};
+    if (placed->shape->kind == SPH2D_SHAPE_CIRCLE)
+        return (points){1, placed->shape->circle.radius};
+    return (points){placed->corner_count, 0};
 }
 
 static sph2d_vec2 point(const sph2d__placed *placed, size_t index)
 {
-    return placed->outline->kind == SPH2D_OUTLINE_CIRCLE ? sph2d__circle_center(placed) : sph2d__corner(placed, index);
+    return placed->shape->kind == SPH2D_SHAPE_CIRCLE ? placed->center : placed->corners[index];
 }
 
 /** Adds the contact of a point of a body with a wall, if it is near. */
@@ -146,14 +146,14 @@ static sph2d_status stop(sph2d__contacts *c, const sph2d__placed *body, const sp
 static sph2d_status inside_circle(sph2d__contacts *c, const sph2d__placed *body, const sph2d__placed *circle)
 {
     points all = points_of(body);
-    sph2d_vec2 center = sph2d__circle_center(circle);
+    sph2d_vec2 center = circle->center;
     sph2d_status status = SPH2D_OK;
     for (size_t i = 0; i < all.count && status == SPH2D_OK; ++i) {
         sph2d_vec2 p = point(body, i);
         double distance = hypot(p.x - center.x, p.y - center.y);
         if (distance > 0) {
             sph2d_vec2 normal = {(p.x - center.x) / distance, (p.y - center.y) / distance};
-            double gap = circle->outline->circle.radius - distance - all.radius;
+            double gap = circle->shape->circle.radius - distance - all.radius;
             status = stop(c, body, circle, p, normal, gap, all.radius);
         }
     }
@@ -163,10 +163,10 @@ static sph2d_status inside_circle(sph2d__contacts *c, const sph2d__placed *body,
 /** Whether `b` is a hollow circle with the body in it. */
 static bool is_inside(const sph2d__placed *body, const sph2d__placed *b)
 {
-    if (!b->hollow || b->outline->kind != SPH2D_OUTLINE_CIRCLE)
+    if (!b->hollow || b->shape->kind != SPH2D_SHAPE_CIRCLE)
         return false;
-    sph2d_vec2 center = sph2d__circle_center(b);
-    return hypot(body->to.x - center.x, body->to.y - center.y) < b->outline->circle.radius;
+    sph2d_vec2 center = b->center;
+    return hypot(body->to.x - center.x, body->to.y - center.y) < b->shape->circle.radius;
 }
 
 static sph2d_status with_side(sph2d__contacts *c, const sph2d__placed *body, uint32_t number, double at, double speed)

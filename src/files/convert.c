@@ -35,7 +35,8 @@ static size_t key_count(const sph2d_keys *keys)
 static size_t key_index(const sph2d_keys *keys, const char *name)
 {
     size_t i = 0;
-    while (i < key_count(keys) && strcmp(keys->items[i].name, name) != 0)
+    while (i < key_count(keys) && strcmp(keys->items[i].name, name) != 0 &&
+           !(keys->items[i].also && strcmp(keys->items[i].also, name) == 0))
         ++i;
     return i;
 }
@@ -161,38 +162,49 @@ static size_t preset_index(const sph2d_keys *keys)
     return i;
 }
 
-/** The key whose word is the short form of its group; NULL if there is none. */
-static const sph2d_key *short_form_of(const sph2d_keys *keys, const char *name)
+/** The key whose word is the short form of a group; NULL if there is none. */
+static const sph2d_key *short_form_of(const sph2d_key *group)
 {
-    size_t index = key_index(keys, name);
-    const sph2d_keys *inner = index < key_count(keys) ? keys->items[index].keys : NULL;
-    if (!inner || keys->items[index].kind != SPH2D_KEY_GROUP)
-        return NULL;
-    for (size_t i = 0; i < key_count(inner); ++i)
+    const sph2d_keys *inner = group && group->kind == SPH2D_KEY_GROUP ? group->keys : NULL;
+    for (size_t i = 0; inner && i < key_count(inner); ++i)
         if (inner->items[i].stands_alone)
             return &inner->items[i];
     return NULL;
 }
 
-void sph2d__convert_short_forms(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults)
+/** Makes a mapping of a scalar: {word: scalar}. */
+static void expand(sph2d__node *child, const char *word, sph2d__faults *faults)
 {
-    for (sph2d__node *child = mapping->first; child; child = child->next) {
-        const sph2d_key *key = short_form_of(keys, child->key);
-        if (!key || child->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(child))
+    sph2d__node *inner = sph2d__node_new(faults->pool, SPH2D__NODE_SCALAR, child->place);
+    faults->short_of_memory |= !inner;
+    if (!inner)
+        return;
+    *inner = *child;
+    inner->next = NULL;
+    inner->key = word;
+    *child = (sph2d__node){.kind = SPH2D__NODE_MAPPING,
+                           .key = child->key,
+                           .place = child->place,
+                           .key_place = child->key_place,
+                           .next = child->next};
+    sph2d__node_append(child, inner);
+}
+
+void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults)
+{
+    for (sph2d__node *child = mapping->kind == SPH2D__NODE_MAPPING ? mapping->first : NULL; child;
+         child = child->next) {
+        const size_t index = key_index(keys, child->key);
+        const sph2d_key *key = index < key_count(keys) ? &keys->items[index] : NULL, *word = short_form_of(key);
+        if (!key || !key->keys || key->as_mapping)
             continue;
-        sph2d__node *word = sph2d__node_new(faults->pool, SPH2D__NODE_SCALAR, child->place);
-        faults->short_of_memory |= !word;
-        if (!word)
-            return;
-        *word = *child;
-        word->next = NULL;
-        word->key = key->name;
-        *child = (sph2d__node){.kind = SPH2D__NODE_MAPPING,
-                               .key = child->key,
-                               .place = child->place,
-                               .key_place = child->key_place,
-                               .next = child->next};
-        sph2d__node_append(child, word);
+        if (word && child->kind == SPH2D__NODE_SCALAR && !sph2d__node_is_null(child))
+            expand(child, word->name, faults);
+        child->also = strcmp(child->key, key->name) == 0 ? key->also : key->name;
+        if (key->kind == SPH2D_KEY_GROUP)
+            sph2d__convert_words(child, key->keys, faults);
+        for (sph2d__node *item = child->kind == SPH2D__NODE_SEQUENCE ? child->first : NULL; item; item = item->next)
+            sph2d__convert_words(item, key->keys, faults);
     }
 }
 

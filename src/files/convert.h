@@ -29,7 +29,7 @@ void sph2d__convert_value(sph2d__converter *converter, const sph2d_key *key, con
 void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
                                const char *path, const char *expected);
 
-/** Expands short forms of groups, `fluid: water`, to mappings, `fluid: {material: water}`. */
-void sph2d__convert_short_forms(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults);
+/** Expands short forms of groups, `fluid: water`, to mappings, `fluid: {material: water}`, and notes the other words of keys. */
+void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults);
 
 #endif

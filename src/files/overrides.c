@@ -137,7 +137,7 @@ sph2d_status sph2d__overrides_apply(const sph2d_override *overrides, size_t coun
         sph2d_status status = apply(&overrides[i], root, faults);
         if (status != SPH2D_OK)
             return status;
-        sph2d__convert_short_forms(root, sph2d_scene_keys(), faults);
+        sph2d__convert_words(root, sph2d_scene_keys(), faults);
     }
     return SPH2D_OK;
 }

@@ -109,7 +109,7 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
     const sph2d_keys *keys = sph2d_scene_keys();
     if (!copy_overrides(file))
         return SPH2D_NOMEM;
-    sph2d__convert_short_forms(root, keys, faults);
+    sph2d__convert_words(root, keys, faults);
     sph2d_status status = sph2d__overrides_apply(file->overrides, file->override_count, root, faults);
     if (status != SPH2D_OK)
         return status;

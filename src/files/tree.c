@@ -28,12 +28,17 @@ void sph2d__node_append(sph2d__node *parent, sph2d__node *child)
     ++parent->count;
 }
 
+static bool is_word(const char *word, const char *key, size_t length)
+{
+    return strlen(word) == length && memcmp(word, key, length) == 0;
+}
+
 sph2d__node *sph2d__node_find(const sph2d__node *mapping, const char *key, size_t length)
 {
     if (mapping->kind != SPH2D__NODE_MAPPING)
         return NULL;
     for (sph2d__node *child = mapping->first; child; child = child->next)
-        if (strlen(child->key) == length && memcmp(child->key, key, length) == 0)
+        if (is_word(child->key, key, length) || (child->also && is_word(child->also, key, length)))
             return child;
     return NULL;
 }

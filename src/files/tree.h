@@ -21,6 +21,7 @@ typedef struct sph2d__node {
     const char *text;       /**< of a scalar; NUL-terminated */
     size_t length;          /**< of that text */
     const char *key;        /**< in its mapping; NULL in a sequence and for the root */
+    const char *also;       /**< another word for it (sph2d_key); NULL for none */
     sph2d__place place;     /**< where it starts */
     sph2d__place key_place; /**< where its key starts */
     size_t count;           /**< children of a mapping or sequence */

@@ -74,7 +74,7 @@ static span span_of(double low, double high, double origin, double size, size_t 
 /** Bounds of what an obstacle fills, in its present position. */
 static sph2d_box bounds_of(const sph2d_sim *sim, const sph2d_obstacle *o, const sph2d__pose *pose)
 {
-    sph2d_box b = sph2d__outline_bounds(&o->outline, sim->scene.spacing);
+    sph2d_box b = sph2d__shape_bounds(&o->shape);
     double margin = sph2d__obstacle_is_hollow(o) ? sph2d__layer_thickness(&sim->scene) : 0;
     sph2d_box all = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (int k = 0; k < 4; ++k) {

@@ -3,7 +3,7 @@
  *  Bodies and obstacles as callers see and steer them. */
 #include <math.h>
 
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "sim/simulation.h"
 
 static sph2d_body_state unknown(void)
@@ -36,7 +36,7 @@ sph2d_body_state sph2d_sim_obstacle(const sph2d_sim *sim, size_t index)
             sph2d_vec2 center = {p.center.x + p.displacement.x, p.center.y + p.displacement.y};
             return (sph2d_body_state){.center = center, .angle = p.angle, .velocity = p.velocity, .rate = p.omega};
         }
-    return (sph2d_body_state){.center = sph2d__outline_centroid(&obstacle->outline)};
+    return (sph2d_body_state){.center = sph2d_shape_centroid(&obstacle->shape)};
 }
 
 sph2d_status sph2d_sim_set_body_velocity(sph2d_sim *sim, size_t index, sph2d_vec2 velocity, double rate)

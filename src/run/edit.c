@@ -82,12 +82,12 @@ static bool is_shape(const sph2d_shape *shape)
 {
     enum { MOST_CORNERS = 10000 };
     const sph2d_box *b = &shape->box;
-    const sph2d_points *corners = &shape->polygon;
+    const sph2d_points *corners = &shape->points;
     switch (shape->kind) {
     case SPH2D_SHAPE_BOX:
         return is_point(b->min) && is_point(b->max) && b->min.x < b->max.x && b->min.y < b->max.y;
-    case SPH2D_SHAPE_DISC:
-        return is_point(shape->disc.center) && shape->disc.radius > 0 && isfinite(shape->disc.radius);
+    case SPH2D_SHAPE_CIRCLE:
+        return is_point(shape->circle.center) && shape->circle.radius > 0 && isfinite(shape->circle.radius);
     case SPH2D_SHAPE_POLYGON:
         if (!corners->items || corners->count < 3 || corners->count > MOST_CORNERS)
             return false;

@@ -5,7 +5,7 @@
 
 #include "run/run.h"
 #include "scene/bodies.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 
 /** The obstacle or body that moves and is nearest to a position, within the support radius; SIZE_MAX: none. */
@@ -19,7 +19,7 @@ static size_t moving_near(const sph2d_sim *sim, sph2d_vec2 p)
         if (!sph2d__obstacle_moves(o))
             continue;
         sph2d__pose pose = sph2d__sim_pose_of(sim, o);
-        double distance = sph2d__outline_nearest(&o->outline, scene->spacing, sph2d__pose_invert(&pose, p));
+        double distance = sph2d__shape_nearest(&o->shape, scene->spacing, sph2d__pose_invert(&pose, p));
         if (distance < least) {
             least = distance;
             nearest = k;

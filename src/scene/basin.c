@@ -25,15 +25,15 @@ static double lowest_below(sph2d__flood *g, double level)
 static sph2d_vec2 extremes_of(const sph2d__flood *g, const sph2d_shape *shape)
 {
     sph2d_vec2 h = {INFINITY, -INFINITY};
-    if (shape->kind == SPH2D_SHAPE_DISC) {
-        double centre = sph2d__flood_height(g, shape->disc.center);
-        return (sph2d_vec2){centre - shape->disc.radius, centre + shape->disc.radius};
+    if (shape->kind == SPH2D_SHAPE_CIRCLE) {
+        double centre = sph2d__flood_height(g, shape->circle.center);
+        return (sph2d_vec2){centre - shape->circle.radius, centre + shape->circle.radius};
     }
     if (shape->kind == SPH2D_SHAPE_BOX)
         return sph2d__flood_heights(g, shape->box);
-    for (size_t k = 0; k < shape->polygon.count; ++k) {
-        h.x = fmin(h.x, sph2d__flood_height(g, shape->polygon.items[k]));
-        h.y = fmax(h.y, sph2d__flood_height(g, shape->polygon.items[k]));
+    for (size_t k = 0; k < shape->points.count; ++k) {
+        h.x = fmin(h.x, sph2d__flood_height(g, shape->points.items[k]));
+        h.y = fmax(h.y, sph2d__flood_height(g, shape->points.items[k]));
     }
     return h;
 }

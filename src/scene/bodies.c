@@ -9,7 +9,7 @@
 #include "base/pi.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 
 /** Area and second moment about the centroid of a closed outline. */
 typedef struct moments {
@@ -30,21 +30,21 @@ static moments polygon_moments(sph2d_points points, sph2d_vec2 o)
     return (moments){fabs(sum.area), fabs(sum.second)};
 }
 
-static moments moments_of(const sph2d_outline *outline)
+static moments moments_of(const sph2d_shape *outline)
 {
     double r2 = outline->circle.radius * outline->circle.radius;
     double a = outline->box.max.x - outline->box.min.x, b = outline->box.max.y - outline->box.min.y;
     switch (outline->kind) {
-    case SPH2D_OUTLINE_CIRCLE:
+    case SPH2D_SHAPE_CIRCLE:
         return (moments){SPH2D__PI * r2, SPH2D__PI * r2 * r2 / 2};
-    case SPH2D_OUTLINE_BOX:
+    case SPH2D_SHAPE_BOX:
         return (moments){a * b, a * b * (a * a + b * b) / 12};
-    case SPH2D_OUTLINE_POLYGON:
-        return polygon_moments(outline->polygon, sph2d__outline_centroid(outline));
-    case SPH2D_OUTLINE_LINE:
-    case SPH2D_OUTLINE_POLYLINE:
-    case SPH2D_OUTLINE_ARC:
-    case SPH2D_OUTLINE_NONE:
+    case SPH2D_SHAPE_POLYGON:
+        return polygon_moments(outline->points, sph2d_shape_centroid(outline));
+    case SPH2D_SHAPE_LINE:
+    case SPH2D_SHAPE_POLYLINE:
+    case SPH2D_SHAPE_ARC:
+    case SPH2D_SHAPE_NONE:
         break;
     }
     return (moments){0, 0};
@@ -52,12 +52,12 @@ static moments moments_of(const sph2d_outline *outline)
 
 sph2d__mass_data sph2d__body_mass(const sph2d_body *body)
 {
-    moments m = moments_of(&body->outline);
+    moments m = moments_of(&body->shape);
     sph2d__mass_data data = {.area = m.area, .center = body->center};
     data.mass = body->mass > 0 ? body->mass : body->density * m.area;
     data.inertia = body->inertia > 0 ? body->inertia : data.mass * m.second / m.area;
     if (isnan(body->center.x) || isnan(body->center.y))
-        data.center = sph2d__outline_centroid(&body->outline);
+        data.center = sph2d_shape_centroid(&body->shape);
     return data;
 }
 
@@ -84,7 +84,7 @@ double sph2d__spring_energy(const sph2d_body *body, const sph2d_spring *spring)
 double sph2d__body_speed(const sph2d_body *body)
 {
     return hypot(body->velocity.x, body->velocity.y) +
-           fabs(body->rate) * sph2d__outline_distance(&body->outline, sph2d__body_mass(body).center);
+           fabs(body->rate) * sph2d__shape_distance(&body->shape, sph2d__body_mass(body).center);
 }
 
 /** One over the mass that the end of a spring feels, at least: that of the body, as a lever as long as the end is away
@@ -110,7 +110,7 @@ static sph2d_obstacle obstacle_of(const sph2d_body *body)
 {
     sph2d_obstacle obstacle = sph2d_obstacle_default();
     obstacle.name = body->name;
-    obstacle.outline = body->outline;
+    obstacle.shape = body->shape;
     obstacle.form = body->form;
     obstacle.slip = body->slip;
     obstacle.body = body;

@@ -63,19 +63,19 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
         if (!sph2d__check_box(c, shape->box, sph2d__check_path(path, list, index, ".box")))
             return;
         break;
-    case SPH2D_SHAPE_DISC:
-        sph2d__check_path(path, list, index, ".disc");
+    case SPH2D_SHAPE_CIRCLE:
+        sph2d__check_path(path, list, index, ".circle");
         break;
     case SPH2D_SHAPE_POLYGON:
         sph2d__check_path(path, list, index, ".polygon");
-        if (!sph2d__check_polygon(c, shape->polygon, path))
+        if (!sph2d__check_polygon(c, shape->points, path))
             return;
         break;
     case SPH2D_SHAPE_NONE:
     default: {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, list, index, ""), "has no shape");
-        sph2d_diagnostic_hint(d, "give one of box, disc, polygon");
+        sph2d_diagnostic_hint(d, "give one of box, circle, polygon");
         return;
     }
     }
@@ -105,7 +105,7 @@ static void check_block(checker *c, size_t i)
     if (block->spacing != 0 && !(block->spacing >= 0.03 * dx && block->spacing <= 2 * dx))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "blocks", i, ".spacing"),
                            "must be between 0.03 and 2 times the scene's spacing: 1100 to 1/4 times its density");
-    if (block->arrangement == SPH2D_ARRANGEMENT_RINGS && block->shape.kind != SPH2D_SHAPE_DISC)
+    if (block->arrangement == SPH2D_ARRANGEMENT_RINGS && block->shape.kind != SPH2D_SHAPE_CIRCLE)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "blocks", i, ".arrangement"),
                            "only a disc can be made of rings; leave it out");
 }

@@ -8,9 +8,9 @@
 #include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
-#include "scene/outline.h"
 #include "scene/overlap.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 
 typedef sph2d__checker checker;
 
@@ -98,7 +98,7 @@ static void check_center(checker *c, size_t k)
 {
     const sph2d_body *body = &c->scene->bodies[k];
     sph2d_vec2 center = sph2d__body_mass(body).center;
-    sph2d_box b = sph2d__outline_bounds(&body->outline, c->scene->spacing);
+    sph2d_box b = sph2d__shape_bounds(&body->shape);
     char path[SPH2D__PATH_SIZE], text[160];
     if (!sph2d__check_in_domain(c->scene, center)) {
         sph2d__check_outside(c, sph2d__check_path(path, "bodies", k, ".center"), center);
@@ -129,12 +129,12 @@ static void check_ends(checker *c, size_t k)
 {
     const sph2d_body *body = &c->scene->bodies[k];
     sph2d_vec2 center = sph2d__body_mass(body).center;
-    double size = sph2d__outline_distance(&body->outline, sph2d__outline_centroid(&body->outline));
+    double size = sph2d__shape_distance(&body->shape, sph2d_shape_centroid(&body->shape));
     for (size_t i = 0; i < body->spring_count; ++i) {
         sph2d_vec2 at = sph2d__spring_start(&body->springs[i], center);
-        double away = sph2d__outline_nearest(&body->outline, c->scene->spacing, at);
+        double away = sph2d__shape_nearest(&body->shape, c->scene->spacing, at);
         char key[64], text[160];
-        if (sph2d__outline_encloses(&body->outline, at) || !(away > FARTHEST * size))
+        if (sph2d__shape_contains(&body->shape, at) || !(away > FARTHEST * size))
             continue;
         snprintf(key, sizeof key, ".springs[%zu].at", i);
         snprintf(text, sizeof text, "(%g, %g) is %.3g m away from the body that it is fixed to", at.x, at.y, away);
@@ -166,9 +166,9 @@ static void check_springs(checker *c, size_t k)
 }
 
 /** The length of the pieces of a circle. */
-static double piece_of(const sph2d_scene *scene, const sph2d_outline *outline)
+static double piece_of(const sph2d_scene *scene, const sph2d_shape *outline)
 {
-    double radius = outline->kind == SPH2D_OUTLINE_CIRCLE ? outline->circle.radius : 0;
+    double radius = outline->kind == SPH2D_SHAPE_CIRCLE ? outline->circle.radius : 0;
     return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
 }
 
@@ -177,12 +177,12 @@ static bool overlaps(const checker *c, size_t own, size_t other)
 {
     const sph2d_scene *scene = c->scene;
     sph2d__pose start = {.cosine = 1};
-    const sph2d_box a = sph2d__outline_bounds(&scene->obstacles[own].outline, scene->spacing);
-    const sph2d_box b = sph2d__outline_bounds(&scene->obstacles[other].outline, scene->spacing);
+    const sph2d_box a = sph2d__shape_bounds(&scene->obstacles[own].shape);
+    const sph2d_box b = sph2d__shape_bounds(&scene->obstacles[other].shape);
     if (a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y)
         return false;
     const sph2d_obstacle *body = &scene->obstacles[own], *wall = &scene->obstacles[other];
-    double piece = fmax(piece_of(scene, &body->outline), piece_of(scene, &wall->outline));
+    double piece = fmax(piece_of(scene, &body->shape), piece_of(scene, &wall->shape));
     return sph2d__obstacles_overlap(body, &start, wall, piece, DEPTH * scene->spacing);
 }
 
@@ -194,7 +194,7 @@ static void check_place(checker *c, size_t k)
     sph2d__pose start = {.cosine = 1};
     const char *side = "";
     char text[160], other[64];
-    const sph2d_outline *outline = &scene->bodies[k].outline;
+    const sph2d_shape *outline = &scene->bodies[k].shape;
     double beyond = sph2d__beyond_sides(scene, outline, &start, piece_of(scene, outline), &side);
     if (beyond > DEPTH * scene->spacing) {
         snprintf(text, sizeof text, "starts %.3g m beyond the %s side of the domain", beyond, side);

@@ -12,8 +12,8 @@
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/openings.h"
-#include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 #include "sph2d/key.h"
 
@@ -435,7 +435,7 @@ static void check_walls(sph2d__checker *c)
 static bool has_voids(const sph2d_scene *scene)
 {
     for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
+        if (sph2d__shape_is_open(&scene->obstacles[i].shape))
             return false;
     bool particles = scene->particles.file || scene->particles.count > 0;
     return scene->block_count > 0 && !particles && !sph2d__liquid_fills(scene);

@@ -13,8 +13,8 @@
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
-#include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 #include "scene/start.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
@@ -104,8 +104,7 @@ static bool is_wet(const jumper *j, const sph2d__segment *face, int side)
     enum { SAMPLES = 16 };
     const sph2d_scene *s = j->scene;
     const double x = face->b.x - face->a.x, y = face->b.y - face->a.y, length = hypot(x, y);
-    const bool bends =
-        j->obstacle->outline.kind == SPH2D_OUTLINE_CIRCLE || j->obstacle->outline.kind == SPH2D_OUTLINE_ARC;
+    const bool bends = j->obstacle->shape.kind == SPH2D_SHAPE_CIRCLE || j->obstacle->shape.kind == SPH2D_SHAPE_ARC;
     const double away = (bends ? fmax(s->spacing, length / 8) : s->spacing) * side; /* also from the arc of a chord */
     const bool anywhere = s->particles.file || s->particles.count > 0 || s->source_count > 0 || s->opening_count > 0 ||
                           sph2d__starts_from_snapshot(s);
@@ -122,13 +121,12 @@ static bool is_wet(const jumper *j, const sph2d__segment *face, int side)
  *  goes away, pushes nothing. */
 static double speed_across(const jumper *j, sph2d_vec2 change, double turn)
 {
-    const sph2d_outline *outline = &j->obstacle->outline;
-    const double size =
-        fmax(j->scene->spacing, sph2d__outline_distance(outline, sph2d__outline_centroid(outline)) / 32);
-    const size_t faces = sph2d__outline_pieces(outline, size);
+    const sph2d_shape *outline = &j->obstacle->shape;
+    const double size = fmax(j->scene->spacing, sph2d__shape_distance(outline, sph2d_shape_centroid(outline)) / 32);
+    const size_t faces = sph2d__shape_pieces(outline, size);
     double largest = 0;
     for (size_t k = 0; k < faces; ++k) {
-        const sph2d__segment face = sph2d__outline_piece(outline, size, k);
+        const sph2d__segment face = sph2d__shape_piece(outline, size, k);
         const double x = face.b.x - face.a.x, y = face.b.y - face.a.y, length = hypot(x, y);
         if (!(length > 0))
             continue;
@@ -280,7 +278,7 @@ static void check_excess(checker *c, size_t i, const sph2d__course *course)
     if (!course->bends)
         return;
     char path[PATH_SIZE];
-    excess most = largest_excess(course, sph2d__outline_distance(&c->scene->obstacles[i].outline, course->center));
+    excess most = largest_excess(course, sph2d__shape_distance(&c->scene->obstacles[i].shape, course->center));
     if (!(most.length > c->scene->spacing / 10))
         return;
     sph2d_diagnostic *w = sph2d_report_add(
@@ -296,7 +294,7 @@ static void check_excess(checker *c, size_t i, const sph2d__course *course)
 static bool starts_in_place(checker *c, size_t i, const sph2d__course *course)
 {
     sph2d__pose start = sph2d__course_at(course, 0);
-    double radius = sph2d__outline_distance(&c->scene->obstacles[i].outline, course->center);
+    double radius = sph2d__shape_distance(&c->scene->obstacles[i].shape, course->center);
     double shift = hypot(start.displacement.x, start.displacement.y) + fabs(start.angle) * radius;
     if (shift <= c->scene->spacing / 10)
         return true;
@@ -312,7 +310,7 @@ static void follow(checker *c, size_t i, sph2d__memory *memory, unsigned char *h
     const sph2d_obstacle *o = &c->scene->obstacles[i];
     size_t count = sph2d__motion_bends(&o->motion);
     void *bends = count ? sph2d__alloc(memory, count, sizeof(sph2d_pose_point)) : NULL;
-    sph2d__course course = sph2d__course_of(&o->motion, &o->outline, bends);
+    sph2d__course course = sph2d__course_of(&o->motion, &o->shape, bends);
     if (starts_in_place(c, i, &course)) {
         check_velocity_jump(c, i, &course);
         check_excess(c, i, &course);

@@ -14,7 +14,7 @@
 #include "scene/checker.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "scene/solids.h"
 #include "scene/wall_names.h"
 
@@ -50,8 +50,8 @@ static bool is_solid(const search *s, sph2d_vec2 p)
         const sph2d_obstacle *o = &scene->obstacles[near.obstacle[n]];
         if (sph2d__obstacle_moves(o))
             continue;
-        if (sph2d__outline_is_open(&o->outline)
-                ? sph2d__outline_nearest(&o->outline, scene->spacing, p) < 0.51 * STEP * scene->spacing
+        if (sph2d__shape_is_open(&o->shape)
+                ? sph2d__shape_nearest(&o->shape, scene->spacing, p) < 0.51 * STEP * scene->spacing
                 : sph2d__obstacle_fills(scene, o, p))
             return true;
     }
@@ -100,8 +100,8 @@ static void look_around(search *s, const sph2d_obstacle *o)
 {
     const double spacing = s->scene->spacing;
     for (int side = -1; side <= 1; side += 2) {
-        for (size_t k = 0, n = sph2d__outline_pieces(&o->outline, spacing); k < n; ++k) {
-            const sph2d__segment piece = sph2d__outline_piece(&o->outline, spacing, k);
+        for (size_t k = 0, n = sph2d__shape_pieces(&o->shape, spacing); k < n; ++k) {
+            const sph2d__segment piece = sph2d__shape_piece(&o->shape, spacing, k);
             const double x = piece.b.x - piece.a.x, y = piece.b.y - piece.a.y, by = side / hypot(x, y);
             look_along(s, &piece, (sph2d_vec2){-by * y, by * x});
         }

@@ -9,8 +9,8 @@
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
-#include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
@@ -86,7 +86,7 @@ static void check_arc(checker *c, const sph2d_arc *arc, size_t i)
 static void check_obstacle(checker *c, size_t i)
 {
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
-    const sph2d_outline *outline = &obstacle->outline;
+    const sph2d_shape *outline = &obstacle->shape;
     char path[PATH_SIZE];
     check_wall_name(c, i);
     if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
@@ -95,20 +95,20 @@ static void check_obstacle(checker *c, size_t i)
         sph2d_diagnostic_hint(d, "use heavy or reflect");
     }
     switch (outline->kind) {
-    case SPH2D_OUTLINE_LINE:
-        check_outline_points(c, outline->line, true, sph2d__check_wall_path(c, path, i, ".line"));
+    case SPH2D_SHAPE_LINE:
+        check_outline_points(c, outline->points, true, sph2d__check_wall_path(c, path, i, ".line"));
         break;
-    case SPH2D_OUTLINE_POLYLINE:
-        check_outline_points(c, outline->polyline, false, sph2d__check_wall_path(c, path, i, ".polyline"));
+    case SPH2D_SHAPE_POLYLINE:
+        check_outline_points(c, outline->points, false, sph2d__check_wall_path(c, path, i, ".polyline"));
         break;
-    case SPH2D_OUTLINE_CIRCLE:
+    case SPH2D_SHAPE_CIRCLE:
         if (!sph2d__check_in_domain(c->scene, outline->circle.center))
             sph2d__check_outside(c, sph2d__check_wall_path(c, path, i, ".circle.center"), outline->circle.center);
         if (outline->circle.radius > domain_diagonal(c->scene))
             sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_wall_path(c, path, i, ".circle.radius"),
                                "is larger than the domain");
         break;
-    case SPH2D_OUTLINE_BOX:
+    case SPH2D_SHAPE_BOX:
         sph2d__check_wall_path(c, path, i, ".box");
         if (sph2d__check_box(c, outline->box, path)) {
             if (!sph2d__check_in_domain(c->scene, outline->box.min))
@@ -117,15 +117,15 @@ static void check_obstacle(checker *c, size_t i)
                 sph2d__check_outside(c, path, outline->box.max);
         }
         break;
-    case SPH2D_OUTLINE_POLYGON:
+    case SPH2D_SHAPE_POLYGON:
         sph2d__check_wall_path(c, path, i, ".polygon");
-        if (sph2d__check_polygon(c, outline->polygon, path))
-            check_points_inside(c, outline->polygon, path);
+        if (sph2d__check_polygon(c, outline->points, path))
+            check_points_inside(c, outline->points, path);
         break;
-    case SPH2D_OUTLINE_ARC:
+    case SPH2D_SHAPE_ARC:
         check_arc(c, &outline->arc, i);
         break;
-    case SPH2D_OUTLINE_NONE:
+    case SPH2D_SHAPE_NONE:
     default: {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""), "has no outline");
@@ -137,13 +137,13 @@ static void check_obstacle(checker *c, size_t i)
 }
 
 /** Whether a line can be a solid of the layers' thickness. */
-static bool can_be_solid(const sph2d_scene *scene, const sph2d_outline *outline)
+static bool can_be_solid(const sph2d_scene *scene, const sph2d_shape *outline)
 {
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
-    size_t count = sph2d__outline_points(outline, scene->spacing, NULL);
+    size_t count = sph2d_shape_corners(outline, scene->spacing, NULL);
     void *points = sph2d__alloc(&memory, 3 * count, sizeof(sph2d_vec2));
     sph2d_vec2 *corners = points, *line = corners ? corners + 2 * count : NULL;
-    sph2d__outline_points(outline, scene->spacing, line);
+    sph2d_shape_corners(outline, scene->spacing, line);
     bool can = !corners || sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
     sph2d__release(&memory, &points, 3 * count, sizeof(sph2d_vec2));
     return can;
@@ -168,27 +168,24 @@ static void check_side(checker *c, size_t i)
     const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
     char path[PATH_SIZE];
     sph2d_diagnostic *d;
-    if (obstacle->liquid == SPH2D_LIQUID_INSIDE && sph2d__outline_is_open(&obstacle->outline))
+    if (obstacle->liquid == SPH2D_LIQUID_INSIDE && sph2d__shape_is_open(&obstacle->shape))
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, i, ".liquid"),
                            "a line has no inside: use left, right or both");
     if (!sph2d__obstacle_has_side(c->scene, obstacle))
         return;
     sph2d_liquid_side side = sph2d__liquid_side(c->scene, obstacle);
-    sph2d_outline_kind kind = obstacle->outline.kind;
-    if (kind == SPH2D_OUTLINE_ARC && side == SPH2D_LIQUID_RIGHT)
-        check_layers_inside(c, &obstacle->outline.arc, i);
+    sph2d_shape_kind kind = obstacle->shape.kind;
+    if (kind == SPH2D_SHAPE_ARC && side == SPH2D_LIQUID_RIGHT)
+        check_layers_inside(c, &obstacle->shape.arc, i);
     if (side != SPH2D_LIQUID_BOTH)
         return;
-    sph2d__check_wall_path(c, path, i,
-                           kind == SPH2D_OUTLINE_LINE  ? ".line"
-                           : kind == SPH2D_OUTLINE_ARC ? ".arc"
-                                                       : ".polyline");
+    sph2d__check_wall_path(c, path, i, sph2d__shape_key(kind));
     if (obstacle->liquid == SPH2D_LIQUID_AUTO) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "liquid lies on both sides of it, where the layers of boundary particles must be");
         sph2d_diagnostic_hint(d, "`liquid: both` makes it a solid %.3g m thick; or leave one side free for %.3g m",
                               sph2d__layer_thickness(c->scene), sph2d__layer_thickness(c->scene));
-    } else if (!can_be_solid(c->scene, &obstacle->outline)) {
+    } else if (!can_be_solid(c->scene, &obstacle->shape)) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "turns too sharply for a solid of the layers' thickness that has liquid on both sides");
         sph2d_diagnostic_hint(d, "draw the solid as a `polygon`, %.3g m thick or thicker",
@@ -203,12 +200,12 @@ static void check_all_points(checker *c)
 {
     size_t points = 0;
     for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
-        const sph2d_outline *o = &c->scene->obstacles[i].outline;
-        bool solid_arc = o->kind == SPH2D_OUTLINE_ARC && c->scene->obstacles[i].liquid == SPH2D_LIQUID_BOTH;
-        points += solid_arc                           ? sph2d__outline_points(o, c->scene->spacing, NULL)
-                  : o->kind == SPH2D_OUTLINE_POLYLINE ? o->polyline.count
-                  : o->kind == SPH2D_OUTLINE_POLYGON  ? o->polygon.count
-                                                      : 4;
+        const sph2d_shape *o = &c->scene->obstacles[i].shape;
+        bool solid_arc = o->kind == SPH2D_SHAPE_ARC && c->scene->obstacles[i].liquid == SPH2D_LIQUID_BOTH;
+        points += solid_arc                         ? sph2d_shape_corners(o, c->scene->spacing, NULL)
+                  : o->kind == SPH2D_SHAPE_POLYLINE ? o->points.count
+                  : o->kind == SPH2D_SHAPE_POLYGON  ? o->points.count
+                                                    : 4;
     }
     if (points <= MAX_ALL_POINTS)
         return;

@@ -20,8 +20,8 @@
 
 #include "scene/checker.h"
 #include "scene/liquid_side.h"
-#include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 
 /* Maximum number of samples along a wall segment; and steps per spacing across it. */
 static const double MAX_SAMPLES = 2000, STEPS_PER_SPACING = 10;
@@ -52,7 +52,7 @@ static sph2d_vec2 displaced(sph2d_vec2 p, sph2d_vec2 n, double d)
 
 /** Height of the surface of the liquid within a distance of a position on one side [m]; NaN without liquid. A block
  *  that overlaps the obstacle is taken to continue inside it. */
-static double surface_height(const sph2d_scene *scene, const sph2d_outline *outline, sph2d_vec2 p, sph2d_vec2 side,
+static double surface_height(const sph2d_scene *scene, const sph2d_shape *outline, sph2d_vec2 p, sph2d_vec2 side,
                              double limit)
 {
     double g = hypot(scene->gravity.x, scene->gravity.y), dx = scene->spacing, d = dx / STEPS_PER_SPACING;
@@ -62,7 +62,7 @@ static double surface_height(const sph2d_scene *scene, const sph2d_outline *outl
     if (!(d < limit))
         return NAN;
     sph2d_vec2 at = displaced(p, side, d), above = displaced(at, up, dx / STEPS_PER_SPACING);
-    while (sph2d__in_block(scene, above) || sph2d__outline_encloses(outline, above)) {
+    while (sph2d__in_block(scene, above) || sph2d__shape_contains(outline, above)) {
         at = above;
         above = displaced(at, up, dx / STEPS_PER_SPACING);
     }
@@ -70,12 +70,12 @@ static double surface_height(const sph2d_scene *scene, const sph2d_outline *outl
 }
 
 /** Thickness of an obstacle at a position on its surface [m]; INFINITY if it is `enough` or more. */
-static double thickness_at(const sph2d_outline *outline, sph2d_vec2 p, sph2d_vec2 inwards, double step, double enough)
+static double thickness_at(const sph2d_shape *outline, sph2d_vec2 p, sph2d_vec2 inwards, double step, double enough)
 {
-    if (sph2d__outline_is_open(outline))
+    if (sph2d__shape_is_open(outline))
         return 0;
     for (double d = step / 2; d < enough; d += step)
-        if (!sph2d__outline_encloses(outline, displaced(p, inwards, d)))
+        if (!sph2d__shape_contains(outline, displaced(p, inwards, d)))
             return d - step / 2;
     return INFINITY;
 }
@@ -87,14 +87,14 @@ typedef struct thin {
 } thin;
 
 /** Finds the first such position along a segment of the outline. */
-static bool find_thin(const sph2d_scene *scene, const sph2d_outline *outline, sph2d__segment s, double required,
+static bool find_thin(const sph2d_scene *scene, const sph2d_shape *outline, sph2d__segment s, double required,
                       thin *found)
 {
     double dx = scene->spacing, length = hypot(s.b.x - s.a.x, s.b.y - s.a.y);
     double count = fmin(fmax(floor(length / dx), 1), MAX_SAMPLES);
     sph2d_vec2 in = {-(s.b.y - s.a.y) / length, (s.b.x - s.a.x) / length};
     sph2d_vec2 middle = {(s.a.x + s.b.x) / 2, (s.a.y + s.b.y) / 2};
-    if (!sph2d__outline_is_open(outline) && !sph2d__outline_encloses(outline, displaced(middle, in, 1e-3 * dx)))
+    if (!sph2d__shape_is_open(outline) && !sph2d__shape_contains(outline, displaced(middle, in, 1e-3 * dx)))
         in = (sph2d_vec2){-in.x, -in.y};
     for (double i = 0.5; i < count; ++i) {
         double t = i / count;
@@ -115,22 +115,19 @@ static bool find_thin(const sph2d_scene *scene, const sph2d_outline *outline, sp
 /** Finds the first such position of an obstacle. Lines with layers have liquid on one side, or become solids. */
 static bool find_in_obstacle(const sph2d_scene *scene, const sph2d_obstacle *obstacle, thin *found)
 {
-    const sph2d_outline *outline = &obstacle->outline;
+    const sph2d_shape *outline = &obstacle->shape;
     if (obstacle->body || sph2d__obstacle_has_side(scene, obstacle) || sph2d__obstacle_is_hollow(obstacle))
         return false;
     double required = required_thickness(scene, obstacle);
-    size_t pieces = sph2d__outline_pieces(outline, scene->spacing);
+    size_t pieces = sph2d__shape_pieces(outline, scene->spacing);
     for (size_t k = 0; k < pieces; k += 1 + pieces / MAX_PIECES)
-        if (find_thin(scene, outline, sph2d__outline_piece(outline, scene->spacing, k), required, found))
+        if (find_thin(scene, outline, sph2d__shape_piece(outline, scene->spacing, k), required, found))
             return true;
     return false;
 }
 
 void sph2d__check_thin(sph2d__checker *c)
 {
-    static const char *const kinds[] = {
-        [SPH2D_OUTLINE_LINE] = ".line", [SPH2D_OUTLINE_POLYLINE] = ".polyline", [SPH2D_OUTLINE_CIRCLE] = ".circle",
-        [SPH2D_OUTLINE_BOX] = ".box",   [SPH2D_OUTLINE_POLYGON] = ".polygon",   [SPH2D_OUTLINE_ARC] = ".arc"};
     const sph2d_scene *scene = c->scene;
     size_t count = 0, first = 0;
     thin place = {0}, found;
@@ -147,7 +144,7 @@ void sph2d__check_thin(sph2d__checker *c)
         snprintf(more, sizeof more, "; the same holds for %zu more", count - 1);
     sph2d_diagnostic *w = sph2d_report_add(
         c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT,
-        sph2d__check_wall_path(c, path, first, kinds[obstacle->outline.kind]),
+        sph2d__check_wall_path(c, path, first, sph2d__shape_key(obstacle->shape.kind)),
         "liquids whose surfaces are %.2g m apart in height press on each other through it, near (%.3g, %.3g), where it "
         "is %.2g m thick%s",
         place.apart, place.at.x, place.at.y, place.thickness, more);

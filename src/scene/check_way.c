@@ -7,8 +7,8 @@
 
 #include "scene/bodies.h"
 #include "scene/checker.h"
-#include "scene/outline.h"
 #include "scene/overlap.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 
 typedef sph2d__checker checker;
@@ -23,7 +23,7 @@ enum { CAN_HIT = 1, AWAY = 2 };
 /** An obstacle that moves, and how finely its motion is looked at. */
 typedef struct mover {
     const sph2d_scene *scene;
-    const sph2d_outline *outline;
+    const sph2d_shape *outline;
     const sph2d__course *course;
     size_t index, pieces;
     double spacing, depth;           /**< of the pieces of circles; that is too deep [m] */
@@ -60,14 +60,14 @@ static bool can_hit(const mover *m, size_t other)
 static double choose(mover *m)
 {
     sph2d__pose start = {.center = m->course->center, .cosine = 1};
-    const double dx = m->scene->spacing, own = (double)sph2d__outline_pieces(m->outline, dx);
+    const double dx = m->scene->spacing, own = (double)sph2d__shape_pieces(m->outline, dx);
     double pairs = 0;
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
         m->away[side] = sph2d__side_gap(m->scene, m->outline, &start, m->spacing, side) >= dx;
     for (size_t k = 0; k < m->scene->obstacle_count; ++k) {
         const sph2d_obstacle *other = &m->scene->obstacles[k];
-        double here = (double)m->pieces * (double)sph2d__outline_pieces(&other->outline, m->spacing);
-        double fine = own * (double)sph2d__outline_pieces(&other->outline, dx);
+        double here = (double)m->pieces * (double)sph2d__shape_pieces(&other->shape, m->spacing);
+        double fine = own * (double)sph2d__shape_pieces(&other->shape, dx);
         m->hits[k] = pairs + here < MAX_PAIRS / 10 && can_hit(m, k) ? CAN_HIT : 0;
         pairs += m->hits[k] ? here : 0;
         if (m->hits[k] && pairs + fine < MAX_PAIRS / 10 && gap_to(m, &start, other) >= dx) {
@@ -134,21 +134,21 @@ static void warn_of_gap(checker *c, const mover *m, const approach *least)
 
 void sph2d__check_way(checker *c, size_t index, const sph2d__course *course, unsigned char *hits)
 {
-    const sph2d_outline *outline = &c->scene->obstacles[index].outline;
+    const sph2d_shape *outline = &c->scene->obstacles[index].shape;
     double spacing = c->scene->spacing, end = c->scene->run.until;
     mover m = {.scene = c->scene,
                .outline = outline,
                .course = course,
                .index = index,
-               .spacing = outline->kind == SPH2D_OUTLINE_CIRCLE ? outline->circle.radius / 2 : spacing,
+               .spacing = outline->kind == SPH2D_SHAPE_CIRCLE ? outline->circle.radius / 2 : spacing,
                .depth = DEPTH * spacing,
                .hits = hits};
     const sph2d_motion *motion = course->motion;
-    m.pieces = sph2d__outline_pieces(outline, m.spacing);
+    m.pieces = sph2d__shape_pieces(outline, m.spacing);
     if (motion->path.count > 0 && motion->rate == 0 && motion->swing_count == 0 && !(motion->frequency > 0))
         end = fmin(end, motion->path.items[motion->path.count - 1].t); /* nothing else moves it */
     double pairs = choose(&m);
-    double speed = sph2d__course_speed(course, sph2d__outline_distance(outline, course->center));
+    double speed = sph2d__course_speed(course, sph2d__shape_distance(outline, course->center));
     double times = fmin(ceil(end * speed / spacing), fmin(MAX_TIMES, MAX_PAIRS / fmax(pairs, 1)));
     approach least = {.gap = INFINITY};
     for (double k = 0; k <= times; ++k) {

@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "scene/bodies.h"
-#include "scene/outline.h"
 #include "scene/shape.h"
 
 sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
@@ -91,7 +90,7 @@ static bool lie_on_a_line(sph2d_points corners)
 
 bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *path)
 {
-    const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .polygon = corners};
+    const sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .points = corners};
     bool flat = corners.count < 3 || lie_on_a_line(corners);
     if (!flat && !sph2d__check_count(c, corners, path))
         return false;

@@ -6,7 +6,7 @@
 
 #include "scene/bodies.h"
 #include "scene/openings.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 
 /* Places across the channel at which a section is sampled, and corners of an outline at which there is one, at most. */
 enum { PLACES = 400, CORNERS = 100 };
@@ -34,11 +34,11 @@ static sph2d_vec2 place(const channel *c, double along, double across)
 /** Whether an obstacle is in the way at a place: lines are as thick as a spacing. */
 static bool blocks(const channel *c, const sph2d_obstacle *obstacle, sph2d_vec2 p)
 {
-    const sph2d_outline *outline = &obstacle->outline;
+    const sph2d_shape *outline = &obstacle->shape;
     double dx = c->scene->spacing;
-    if (sph2d__outline_is_open(outline))
-        return sph2d__outline_nearest(outline, dx, p) < dx / 2;
-    return sph2d__outline_encloses(outline, p) != (obstacle->liquid == SPH2D_LIQUID_INSIDE);
+    if (sph2d__shape_is_open(outline))
+        return sph2d__shape_nearest(outline, dx, p) < dx / 2;
+    return sph2d__shape_contains(outline, p) != (obstacle->liquid == SPH2D_LIQUID_INSIDE);
 }
 
 /** The free part of the width of the section at `along`; 0 where less is free than liquid passes, or where it need not
@@ -61,16 +61,16 @@ static double free_part(const channel *c, double along)
 
 /** The least free part beside an obstacle: at its corners, on both sides of each, and in its middle. 0 is no section but
  *  a wall, which the flow does not pass. */
-static double least_beside(const channel *c, const sph2d_outline *outline)
+static double least_beside(const channel *c, const sph2d_shape *outline)
 {
     double dx = c->scene->spacing, least = 1;
-    sph2d_box b = sph2d__outline_bounds(outline, dx);
-    size_t pieces = sph2d__outline_pieces(outline, dx), step = 1 + pieces / CORNERS;
+    sph2d_box b = sph2d__shape_bounds(outline);
+    size_t pieces = sph2d__shape_pieces(outline, dx), step = 1 + pieces / CORNERS;
     double middle = free_part(c, c->along_x ? (b.min.x + b.max.x) / 2 : (b.min.y + b.max.y) / 2);
     if (middle > 0)
         least = middle;
     for (size_t k = 0; k < pieces; k += step) {
-        sph2d_vec2 corner = sph2d__outline_piece(outline, dx, k).a;
+        sph2d_vec2 corner = sph2d__shape_piece(outline, dx, k).a;
         double at = c->along_x ? corner.x : corner.y;
         for (int side = -1; side <= 1; side += 2) {
             double part = free_part(c, at + side * 1e-6 * dx);
@@ -169,7 +169,7 @@ static double narrowest(const channel *c)
 {
     double least = 1;
     for (size_t i = 0; i < sph2d__obstacles_without_bodies(c->scene); ++i)
-        least = fmin(least, least_beside(c, &c->scene->obstacles[i].outline));
+        least = fmin(least, least_beside(c, &c->scene->obstacles[i].shape));
     return least * c->width;
 }
 

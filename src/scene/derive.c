@@ -15,7 +15,6 @@
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
-#include "scene/outline.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 #include "scene/start.h"
@@ -25,7 +24,7 @@ static double farthest(const sph2d_shape *shape, sph2d_vec2 c)
 {
     sph2d_box b = sph2d__shape_bounds(shape);
     double x = fmax(fabs(b.min.x - c.x), fabs(b.max.x - c.x)), y = fmax(fabs(b.min.y - c.y), fabs(b.max.y - c.y));
-    return shape->kind == SPH2D_SHAPE_DISC ? fmax(x, y) : hypot(x, y);
+    return shape->kind == SPH2D_SHAPE_CIRCLE ? fmax(x, y) : hypot(x, y);
 }
 
 /** Largest distance of a block's corners from the centre of the central force. */
@@ -73,8 +72,8 @@ static double obstacle_speed(const sph2d_obstacle *obstacle)
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
     size_t count = sph2d__motion_bends(m);
     void *bends = count ? sph2d__alloc(&memory, count, sizeof(sph2d_pose_point)) : NULL;
-    sph2d__course course = sph2d__course_of(m, &obstacle->outline, bends);
-    double speed = sph2d__course_speed(&course, sph2d__outline_distance(&obstacle->outline, course.center));
+    sph2d__course course = sph2d__course_of(m, &obstacle->shape, bends);
+    double speed = sph2d__course_speed(&course, sph2d__shape_distance(&obstacle->shape, course.center));
     sph2d__release(&memory, &bends, count, sizeof(sph2d_pose_point));
     return speed;
 }

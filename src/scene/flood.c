@@ -5,7 +5,6 @@
 #include <math.h>
 
 #include "scene/bodies.h"
-#include "scene/outline.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -68,11 +67,11 @@ static void mark_crossings(sph2d__flood *g, sph2d__segment s, bool columns)
 static void mark_walls(sph2d__flood *g)
 {
     for (size_t i = 0; i < g->scene->obstacle_count; ++i) {
-        const sph2d_outline *outline = &g->scene->obstacles[i].outline;
+        const sph2d_shape *outline = &g->scene->obstacles[i].shape;
         size_t pieces =
-            !sph2d__obstacle_moves(&g->scene->obstacles[i]) ? sph2d__outline_pieces(outline, g->scene->spacing) : 0;
+            !sph2d__obstacle_moves(&g->scene->obstacles[i]) ? sph2d__shape_pieces(outline, g->scene->spacing) : 0;
         for (size_t k = 0; k < pieces; ++k) {
-            sph2d__segment s = sph2d__outline_piece(outline, g->scene->spacing, k);
+            sph2d__segment s = sph2d__shape_piece(outline, g->scene->spacing, k);
             mark_crossings(g, s, false);
             mark_crossings(g, s, true);
         }

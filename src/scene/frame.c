@@ -21,7 +21,7 @@ size_t sph2d__tank_bends(const sph2d_scene *scene)
 
 sph2d__course sph2d__tank_course(const sph2d_scene *scene, sph2d_pose_point *bends)
 {
-    sph2d_outline tank = {.kind = SPH2D_OUTLINE_BOX, .box = scene->domain};
+    sph2d_shape tank = {.kind = SPH2D_SHAPE_BOX, .box = scene->domain};
     return sph2d__course_of(&scene->motion, &tank, bends);
 }
 

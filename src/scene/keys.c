@@ -79,11 +79,11 @@ static const sph2d_key box_items[] = {
 };
 KEYS(box, sph2d_box, NULL);
 
-static const sph2d_key disc_items[] = {
-    {"center", SPH2D_KEY_POINT, true, AT(sph2d_disc, center), ANY, .unit = "m", .text = "centre"},
-    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_disc, radius), ABOVE_0, .unit = "m", .text = "radius"},
+static const sph2d_key circle_items[] = {
+    {"center", SPH2D_KEY_POINT, true, AT(sph2d_circle, center), ANY, .unit = "m", .text = "centre"},
+    {"radius", SPH2D_KEY_NUMBER, true, AT(sph2d_circle, radius), ABOVE_0, .unit = "m", .text = "radius"},
 };
-KEYS(disc, sph2d_disc, NULL);
+KEYS(circle, sph2d_circle, NULL);
 
 static const sph2d_key arc_items[] = {
     {"center", SPH2D_KEY_POINT, true, AT(sph2d_arc, center), ANY, .unit = "m", .text = "centre"},
@@ -95,28 +95,16 @@ static const sph2d_key arc_items[] = {
 };
 KEYS(arc, sph2d_arc, NULL);
 
-/* The three shapes, as keys of a block or drain. */
+/* The closed shapes, as keys of a block, drain, obstacle or body. */
+// clang-format off
 #define SHAPE(type)                                                                                                    \
-    {"box",                                                                                                            \
-     SPH2D_KEY_GROUP,                                                                                                  \
-     false,                                                                                                            \
-     AT(type, shape.box),                                                                                              \
-     CHOICE(type, shape.kind, SPH2D_SHAPE_BOX),                                                                        \
-     .keys = &box_keys,                                                                                                \
-     .unit = "",                                                                                                       \
-     .text = "a rectangle"},                                                                                           \
-        {"disc",                                                                                                       \
-         SPH2D_KEY_GROUP,                                                                                              \
-         false,                                                                                                        \
-         AT(type, shape.disc),                                                                                         \
-         CHOICE(type, shape.kind, SPH2D_SHAPE_DISC),                                                                   \
-         .keys = &disc_keys,                                                                                           \
-         .unit = "",                                                                                                   \
-         .text = "a disc"},                                                                                            \
-    {                                                                                                                  \
-        "polygon", SPH2D_KEY_POINTS, false, LIST_AT(type, shape.polygon.items, shape.polygon.count), ANY,              \
-            CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself" \
-    }
+    {"box", SPH2D_KEY_GROUP, false, AT(type, shape.box), CHOICE(type, shape.kind, SPH2D_SHAPE_BOX),                    \
+     .keys = &box_keys, .unit = "", .text = "a rectangle"},                                                            \
+    {"circle", SPH2D_KEY_GROUP, false, AT(type, shape.circle), CHOICE(type, shape.kind, SPH2D_SHAPE_CIRCLE),           \
+     .also = "disc", .keys = &circle_keys, .unit = "", .text = "a circle, or the disc within it; `disc` says the same"}, \
+    {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(type, shape.points.items, shape.points.count), ANY,                   \
+     CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself"}
+// clang-format on
 
 static const sph2d_key start_items[] = {
     {"flow", SPH2D_KEY_WORD, false, AT(sph2d_start, flow.kind), .words = flow_words, .unit = "", .default_text = "none",
@@ -316,21 +304,13 @@ KEYS(motion, sph2d_motion, NULL);
 static const sph2d_key obstacle_items[] = {
     {"name", SPH2D_KEY_TEXT, false, AT(sph2d_obstacle, name), .unit = "", .default_text = "none",
      .text = "for probes: letters, digits, _ and -"},
-    {"line", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.line.items, outline.line.count), ANY,
-     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_LINE), .unit = "m", .text = "its two ends"},
-    {"polyline", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polyline.items, outline.polyline.count), ANY,
-     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYLINE), .unit = "m", .text = "points, 2 or more, open"},
-    {"circle", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.circle),
-     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_CIRCLE), .keys = &disc_keys, .unit = "", .text = "a circle"},
-    {"box", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.box),
-     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_BOX), .keys = &box_keys, .unit = "",
-     .text = "the four sides of a rectangle"},
-    {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, outline.polygon.items, outline.polygon.count), ANY,
-     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
-     .text = "a solid: corners, 3 or more, closed by itself"},
-    {"arc", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, outline.arc),
-     CHOICE(sph2d_obstacle, outline.kind, SPH2D_OUTLINE_ARC), .keys = &arc_keys, .unit = "",
-     .text = "a part of a circle, anticlockwise, open; its centre is on its left"},
+    SHAPE(sph2d_obstacle),
+    {"line", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, shape.points.items, shape.points.count), ANY,
+     CHOICE(sph2d_obstacle, shape.kind, SPH2D_SHAPE_LINE), .unit = "m", .text = "its two ends"},
+    {"polyline", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_obstacle, shape.points.items, shape.points.count), ANY,
+     CHOICE(sph2d_obstacle, shape.kind, SPH2D_SHAPE_POLYLINE), .unit = "m", .text = "points, 2 or more, open"},
+    {"arc", SPH2D_KEY_GROUP, false, AT(sph2d_obstacle, shape.arc), CHOICE(sph2d_obstacle, shape.kind, SPH2D_SHAPE_ARC),
+     .keys = &arc_keys, .unit = "", .text = "a part of a circle, anticlockwise, open; its centre is on its left"},
     {"liquid", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, liquid), .words = liquid_words, .unit = "",
      .default_text = "auto",
      .text =
@@ -387,13 +367,7 @@ KEYS(motor, sph2d_motor, NULL);
 static const sph2d_key body_items[] = {
     {"name", SPH2D_KEY_TEXT, false, AT(sph2d_body, name), .unit = "", .default_text = "none",
      .text = "for probes: letters, digits, _ and -"},
-    {"circle", SPH2D_KEY_GROUP, false, AT(sph2d_body, outline.circle),
-     CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_CIRCLE), .keys = &disc_keys, .unit = "", .text = "a circle"},
-    {"box", SPH2D_KEY_GROUP, false, AT(sph2d_body, outline.box), CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_BOX),
-     .keys = &box_keys, .unit = "", .text = "a rectangle"},
-    {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(sph2d_body, outline.polygon.items, outline.polygon.count), ANY,
-     CHOICE(sph2d_body, outline.kind, SPH2D_OUTLINE_POLYGON), .unit = "m",
-     .text = "corners, 3 or more, closed by itself"},
+    SHAPE(sph2d_body),
     {"density", SPH2D_KEY_NUMBER, false, AT(sph2d_body, density), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST),
      .unit = "kg/m^3", .default_text = "mass over area", .text = "density; this or the mass must be given"},
     {"mass", SPH2D_KEY_NUMBER, false, AT(sph2d_body, mass), BETWEEN_OR_0(SPH2D_SMALLEST, SPH2D_LARGEST), .unit = "kg/m",

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/outline.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -22,22 +21,21 @@ double sph2d__layer_thickness(const sph2d_scene *scene)
 
 bool sph2d__obstacle_has_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
 {
-    return sph2d__outline_is_open(&obstacle->outline) &&
-           sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
+    return sph2d__shape_is_open(&obstacle->shape) && sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
 }
 
 bool sph2d__obstacle_is_hollow(const sph2d_obstacle *obstacle)
 {
-    return obstacle->liquid == SPH2D_LIQUID_INSIDE && !sph2d__outline_is_open(&obstacle->outline);
+    return obstacle->liquid == SPH2D_LIQUID_INSIDE && !sph2d__shape_is_open(&obstacle->shape);
 }
 
 bool sph2d__obstacle_fills(const sph2d_scene *scene, const sph2d_obstacle *obstacle, sph2d_vec2 p)
 {
-    bool inside = sph2d__outline_encloses(&obstacle->outline, p);
+    bool inside = sph2d__shape_contains(&obstacle->shape, p);
     if (!sph2d__obstacle_is_hollow(obstacle))
         return inside;
     return !inside && sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED &&
-           sph2d__outline_nearest(&obstacle->outline, scene->spacing, p) < sph2d__layer_thickness(scene);
+           sph2d__shape_nearest(&obstacle->shape, scene->spacing, p) < sph2d__layer_thickness(scene);
 }
 
 bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
@@ -82,15 +80,15 @@ bool sph2d__liquid_fills(const sph2d_scene *scene)
 
 /** Distance of a position from a line [m]; *side is positive on its left. Of two equally near segments, at a corner,
  *  both count. */
-static double distance_to_line(const sph2d_outline *outline, sph2d_vec2 p, double *side)
+static double distance_to_line(const sph2d_shape *outline, sph2d_vec2 p, double *side)
 {
-    if (outline->kind == SPH2D_OUTLINE_ARC)
+    if (outline->kind == SPH2D_SHAPE_ARC)
         return sph2d__arc_distance(&outline->arc, p, side);
     double nearest = INFINITY;
     *side = 0;
-    size_t pieces = sph2d__outline_pieces(outline, 0);
+    size_t pieces = sph2d__shape_pieces(outline, 0);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, 0, k);
+        sph2d__segment s = sph2d__shape_piece(outline, 0, k);
         double distance = sph2d__segment_distance(&s, p), tie = 1e-9 * distance;
         double here = sph2d__segment_side(&s, p) / hypot(s.b.x - s.a.x, s.b.y - s.a.y);
         *side = distance < nearest - tie ? here : distance <= nearest + tie ? *side + here : *side;
@@ -100,14 +98,14 @@ static double distance_to_line(const sph2d_outline *outline, sph2d_vec2 p, doubl
 }
 
 /** Whether there is liquid on the left and right of a line, within a thickness of it. */
-static void find_wet_sides(const sph2d_scene *scene, const sph2d_outline *outline, double thickness, bool *left,
+static void find_wet_sides(const sph2d_scene *scene, const sph2d_shape *outline, double thickness, bool *left,
                            bool *right)
 {
     double dx = scene->spacing, side;
-    double bulge = outline->kind == SPH2D_OUTLINE_ARC ? sph2d__arc_bulge(&outline->arc, dx) : 0;
-    size_t pieces = sph2d__outline_pieces(outline, dx);
+    double bulge = outline->kind == SPH2D_SHAPE_ARC ? sph2d__arc_bulge(&outline->arc, dx) : 0;
+    size_t pieces = sph2d__shape_pieces(outline, dx);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, dx, k);
+        sph2d__segment s = sph2d__shape_piece(outline, dx, k);
         double length = hypot(s.b.x - s.a.x, s.b.y - s.a.y), count = fmin(fmax(floor(length / dx), 1), MAX_ALONG);
         for (double i = 0.5; i < count; ++i)
             for (double d = 0.5 * dx - thickness; d < thickness; d += dx) {
@@ -126,7 +124,7 @@ static void find_wet_sides(const sph2d_scene *scene, const sph2d_outline *outlin
 }
 
 /** The side of the liquid nearest to a line; left if there is none. */
-static sph2d_liquid_side side_of_nearest(const sph2d_scene *scene, const sph2d_outline *outline)
+static sph2d_liquid_side side_of_nearest(const sph2d_scene *scene, const sph2d_shape *outline)
 {
     double nearest = INFINITY, side = 1, here = 0;
     for (size_t i = 0; i < scene->block_count; ++i) {
@@ -160,10 +158,10 @@ sph2d_liquid_side sph2d__liquid_side(const sph2d_scene *scene, const sph2d_obsta
     if (obstacle->liquid != SPH2D_LIQUID_AUTO)
         return obstacle->liquid;
     bool left = false, right = false;
-    find_wet_sides(scene, &obstacle->outline, sph2d__layer_thickness(scene), &left, &right);
+    find_wet_sides(scene, &obstacle->shape, sph2d__layer_thickness(scene), &left, &right);
     if (left || right)
         return left && right ? SPH2D_LIQUID_BOTH : left ? SPH2D_LIQUID_LEFT : SPH2D_LIQUID_RIGHT;
-    return side_of_nearest(scene, &obstacle->outline);
+    return side_of_nearest(scene, &obstacle->shape);
 }
 
 /** Unit normal of a segment of a line, to its left. */
@@ -198,21 +196,21 @@ sph2d_status sph2d__resolve_obstacles(sph2d_scene *scene, sph2d__arena *arena, s
         return SPH2D_NOMEM;
     memcpy(obstacles, scene->obstacles, scene->obstacle_count * sizeof *obstacles);
     for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        sph2d_outline *outline = &obstacles[i].outline;
+        sph2d_shape *outline = &obstacles[i].shape;
         if (!sph2d__obstacle_has_side(scene, &obstacles[i]))
             continue;
         obstacles[i].liquid = sph2d__liquid_side(scene, &scene->obstacles[i]);
         if (obstacles[i].liquid != SPH2D_LIQUID_BOTH)
             continue;
-        size_t count = sph2d__outline_points(outline, scene->spacing, NULL);
+        size_t count = sph2d_shape_corners(outline, scene->spacing, NULL);
         sph2d_vec2 *corners = sph2d__arena_alloc(arena, memory, 3 * count, sizeof *corners);
         if (!corners)
             return SPH2D_NOMEM;
         sph2d_vec2 *line = corners + 2 * count;
-        sph2d__outline_points(outline, scene->spacing, line);
+        sph2d_shape_corners(outline, scene->spacing, line);
         sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
-        outline->kind = SPH2D_OUTLINE_POLYGON;
-        outline->polygon = (sph2d_points){corners, 2 * count};
+        outline->kind = SPH2D_SHAPE_POLYGON;
+        outline->points = (sph2d_points){corners, 2 * count};
     }
     scene->obstacles = obstacles;
     return SPH2D_OK;

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "base/pi.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 
 static bool swings(sph2d_swing s)
 {
@@ -179,11 +179,11 @@ static void add_swing(sph2d_swing s, jet ramp, double time, sph2d__pose *pose)
 
 /* ---- courses ----------------------------------------------------------------------------------------------------- */
 
-sph2d__course sph2d__course_of(const sph2d_motion *motion, const sph2d_outline *outline, sph2d_pose_point *bends)
+sph2d__course sph2d__course_of(const sph2d_motion *motion, const sph2d_shape *outline, sph2d_pose_point *bends)
 {
     sph2d_vec2 c = motion->center;
     if (isnan(c.x) || isnan(c.y))
-        c = sph2d__outline_centroid(outline);
+        c = sph2d_shape_centroid(outline);
     if (bends)
         find_bends(&motion->path, bends);
     return (sph2d__course){motion, c, bends};

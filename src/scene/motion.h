@@ -30,7 +30,7 @@ sph2d__frequencies sph2d__motion_frequencies(const sph2d_motion *motion);
 size_t sph2d__motion_bends(const sph2d_motion *motion);
 
 /** Its course, for an obstacle with an outline; `bends` has room for those, or is NULL for straight lines. */
-sph2d__course sph2d__course_of(const sph2d_motion *motion, const sph2d_outline *outline, sph2d_pose_point *bends);
+sph2d__course sph2d__course_of(const sph2d_motion *motion, const sph2d_shape *outline, sph2d_pose_point *bends);
 
 /** The pose at a time [s]. */
 sph2d__pose sph2d__course_at(const sph2d__course *course, double time);

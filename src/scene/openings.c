@@ -207,7 +207,7 @@ static sph2d_obstacle solid_beside(const sph2d_scene *scene, const sph2d_box *al
 {
     const sph2d_box *d = &scene->domain;
     sph2d_obstacle solid = sph2d_obstacle_default();
-    sph2d_box *b = &solid.outline.box;
+    sph2d_box *b = &solid.shape.box;
     *b = is_vertical(side) ? (sph2d_box){{0, low}, {0, high}} : (sph2d_box){{low, 0}, {high, 0}};
     switch (side) {
     case SPH2D_SIDE_NAME_LEFT:
@@ -225,7 +225,7 @@ static sph2d_obstacle solid_beside(const sph2d_scene *scene, const sph2d_box *al
     }
     const sph2d_wall_slip slips[] = {scene->side_slip.left, scene->side_slip.right, scene->side_slip.bottom,
                                      scene->side_slip.top};
-    solid.outline.kind = SPH2D_OUTLINE_BOX;
+    solid.shape.kind = SPH2D_SHAPE_BOX;
     solid.slip = slips[side];
     solid.name = names_beside[side];
     return solid;

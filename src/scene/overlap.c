@@ -5,13 +5,13 @@
 #include <math.h>
 
 #include "scene/liquid_side.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 
 /** An outline as its pieces, where its obstacle is at a time. */
-static sph2d__segment piece_at(const sph2d_outline *outline, const sph2d__pose *pose, double spacing, size_t k)
+static sph2d__segment piece_at(const sph2d_shape *outline, const sph2d__pose *pose, double spacing, size_t k)
 {
-    sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+    sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
     return (sph2d__segment){sph2d__pose_apply(pose, s.a), sph2d__pose_apply(pose, s.b)};
 }
 
@@ -30,12 +30,12 @@ static bool cross_deeply(const sph2d__segment *s, const sph2d__segment *t, doubl
 /** Whether a point lies in a solid, deeper than a depth. */
 static bool lies_deep(const sph2d_obstacle *obstacle, double spacing, sph2d_vec2 p, double depth)
 {
-    const sph2d_outline *outline = &obstacle->outline;
-    if (sph2d__obstacle_is_hollow(obstacle) || !sph2d__outline_encloses(outline, p))
+    const sph2d_shape *outline = &obstacle->shape;
+    if (sph2d__obstacle_is_hollow(obstacle) || !sph2d__shape_contains(outline, p))
         return false;
-    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    size_t pieces = sph2d__shape_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
         if (sph2d__segment_distance(&s, p) <= depth)
             return false;
     }
@@ -45,14 +45,14 @@ static bool lies_deep(const sph2d_obstacle *obstacle, double spacing, sph2d_vec2
 bool sph2d__obstacles_overlap(const sph2d_obstacle *obstacle, const sph2d__pose *pose, const sph2d_obstacle *other,
                               double spacing, double depth)
 {
-    size_t own = sph2d__outline_pieces(&obstacle->outline, spacing);
-    size_t pieces = sph2d__outline_pieces(&other->outline, spacing);
+    size_t own = sph2d__shape_pieces(&obstacle->shape, spacing);
+    size_t pieces = sph2d__shape_pieces(&other->shape, spacing);
     for (size_t k = 0; k < own; ++k) {
-        sph2d__segment s = piece_at(&obstacle->outline, pose, spacing, k);
+        sph2d__segment s = piece_at(&obstacle->shape, pose, spacing, k);
         if (lies_deep(other, spacing, s.a, depth))
             return true;
         for (size_t n = 0; n < pieces; ++n) {
-            sph2d__segment t = sph2d__outline_piece(&other->outline, spacing, n);
+            sph2d__segment t = sph2d__shape_piece(&other->shape, spacing, n);
             if (cross_deeply(&s, &t, depth) || lies_deep(obstacle, spacing, sph2d__pose_invert(pose, t.a), depth))
                 return true;
         }
@@ -68,10 +68,10 @@ static double segment_within(const sph2d_scene *scene, int side, const sph2d__se
     return fmin(sph2d__side_distance(scene, side, s->a), sph2d__side_distance(scene, side, s->b));
 }
 
-double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose,
+double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_shape *outline, const sph2d__pose *pose,
                            double spacing, const char **side)
 {
-    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    size_t pieces = sph2d__shape_pieces(outline, spacing);
     double deepest = 0;
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = piece_at(outline, pose, spacing, k);
@@ -89,23 +89,23 @@ double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_outline *outlin
 /* ---- gaps -------------------------------------------------------------------------------------------------------- */
 
 /** An outline as segments that are thick by a radius, where its obstacle is at a time: a solid circle is one point. */
-static size_t thick_pieces(const sph2d_outline *outline, bool solid, double spacing)
+static size_t thick_pieces(const sph2d_shape *outline, bool solid, double spacing)
 {
-    return solid && outline->kind == SPH2D_OUTLINE_CIRCLE ? 1 : sph2d__outline_pieces(outline, spacing);
+    return solid && outline->kind == SPH2D_SHAPE_CIRCLE ? 1 : sph2d__shape_pieces(outline, spacing);
 }
 
-static sph2d__segment thick_piece(const sph2d_outline *outline, bool solid, const sph2d__pose *pose, double spacing,
+static sph2d__segment thick_piece(const sph2d_shape *outline, bool solid, const sph2d__pose *pose, double spacing,
                                   size_t k, double *radius)
 {
     *radius = 0;
-    if (!solid || outline->kind != SPH2D_OUTLINE_CIRCLE)
+    if (!solid || outline->kind != SPH2D_SHAPE_CIRCLE)
         return piece_at(outline, pose, spacing, k);
     sph2d_vec2 center = sph2d__pose_apply(pose, outline->circle.center);
     *radius = outline->circle.radius;
     return (sph2d__segment){center, center};
 }
 
-double sph2d__side_gap(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose, double spacing,
+double sph2d__side_gap(const sph2d_scene *scene, const sph2d_shape *outline, const sph2d__pose *pose, double spacing,
                        int side)
 {
     if (sph2d__side_of(scene, side) != SPH2D_SIDE_WALL)
@@ -122,7 +122,7 @@ double sph2d__side_gap(const sph2d_scene *scene, const sph2d_outline *outline, c
 double sph2d__obstacles_gap(const sph2d_obstacle *obstacle, const sph2d__pose *pose, const sph2d_obstacle *other,
                             double spacing)
 {
-    const sph2d_outline *own = &obstacle->outline, *its = &other->outline;
+    const sph2d_shape *own = &obstacle->shape, *its = &other->shape;
     bool solid = !sph2d__obstacle_is_hollow(obstacle), firm = !sph2d__obstacle_is_hollow(other);
     sph2d__pose rest = {.cosine = 1};
     size_t count = thick_pieces(own, solid, spacing), others = thick_pieces(its, firm, spacing);

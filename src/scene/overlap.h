@@ -12,12 +12,12 @@ bool sph2d__obstacles_overlap(const sph2d_obstacle *obstacle, const sph2d__pose 
                               double spacing, double depth);
 
 /** How far an outline in a pose is beyond a side that is no opening [m], and the word of that side. */
-double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose,
+double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_shape *outline, const sph2d__pose *pose,
                            double spacing, const char **side);
 
 /** The distance of an outline in a pose from a side of the domain (scene/wall_names.h) [m], negative beyond it; INFINITY
  *  if it is no wall. */
-double sph2d__side_gap(const sph2d_scene *scene, const sph2d_outline *outline, const sph2d__pose *pose, double spacing,
+double sph2d__side_gap(const sph2d_scene *scene, const sph2d_shape *outline, const sph2d__pose *pose, double spacing,
                        int side);
 
 /** The distance of an obstacle in a pose from another one in its place [m], as long as they do not overlap. Hollow

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "scene/outline.h"
+#include "scene/shape.h"
 
 /* What counts as near an obstacle [spacings]: more than all clearances of the liquid, and the thickness of layers. */
 static const double NEAR = 6;
@@ -14,9 +14,9 @@ static const double NEAR = 6;
 static const double MOST_BOXES = 64;
 
 /** Smallest rectangle around what is near an outline. */
-static sph2d_box bounds_of(const sph2d_outline *outline, double spacing)
+static sph2d_box bounds_of(const sph2d_shape *outline, double spacing)
 {
-    sph2d_box b = sph2d__outline_bounds(outline, spacing);
+    sph2d_box b = sph2d__shape_bounds(outline);
     double d = NEAR * spacing;
     return (sph2d_box){{b.min.x - d, b.min.y - d}, {b.max.x + d, b.max.y + d}};
 }
@@ -41,7 +41,7 @@ static size_t row_of(const sph2d__solids *s, double y)
 static void visit(sph2d__solids *s, const sph2d_scene *scene, bool enter)
 {
     for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        sph2d_box b = bounds_of(&scene->obstacles[i].outline, scene->spacing);
+        sph2d_box b = bounds_of(&scene->obstacles[i].shape, scene->spacing);
         size_t right = column_of(s, b.max.x), top = row_of(s, b.max.y);
         for (size_t row = row_of(s, b.min.y); row <= top; ++row)
             for (size_t column = column_of(s, b.min.x); column <= right; ++column) {

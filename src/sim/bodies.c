@@ -8,7 +8,7 @@
 
 #include "base/pi.h"
 #include "scene/bodies.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 #include "sim/simulation.h"
 
@@ -31,7 +31,7 @@ static void start_body(sph2d_sim *sim, size_t k, sph2d__rigid *r)
                         .mass = m.mass,
                         .inertia = m.inertia,
                         .center = m.center,
-                        .radius = sph2d__outline_distance(&body->outline, m.center),
+                        .radius = sph2d__shape_distance(&body->shape, m.center),
                         .free = {free_of(body->hold.x), free_of(body->hold.y), free_of(body->hold.angle)},
                         .state = &sim->bodies.states[k]};
     r->state->velocity = (sph2d__twist){body->velocity.x, body->velocity.y, body->rate};

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "base/parallel.h"
-#include "scene/outline.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 #include "sim/simulation.h"
 
@@ -39,17 +39,17 @@ static size_t cut(const sph2d__segment *s, double spacing, double sense, sph2d__
     return count;
 }
 
-static size_t cut_outline(const sph2d_outline *outline, double spacing, sph2d__gap_piece *pieces)
+static size_t cut_outline(const sph2d_shape *outline, double spacing, sph2d__gap_piece *pieces)
 {
-    size_t count = 0, segments = sph2d__outline_pieces(outline, spacing);
-    sph2d_vec2 origin = sph2d__outline_piece(outline, spacing, 0).a;
+    size_t count = 0, segments = sph2d__shape_pieces(outline, spacing);
+    sph2d_vec2 origin = sph2d__shape_piece(outline, spacing, 0).a;
     double area = 0; /* twice; positive anticlockwise, when what lies on the right of a segment is outside */
     for (size_t k = 0; k < segments; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
         area += (s.a.x - origin.x) * (s.b.y - origin.y) - (s.b.x - origin.x) * (s.a.y - origin.y);
     }
     for (size_t k = 0; k < segments; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
         count += cut(&s, spacing, area > 0 ? 1 : -1, pieces ? pieces + count : NULL);
     }
     return count;
@@ -65,7 +65,7 @@ sph2d_status sph2d__gaps_create(sph2d_sim *sim)
         return SPH2D_NOMEM;
     for (size_t k = 0; k < bodies; ++k) {
         g->first[k] = count;
-        count += cut_outline(&sim->scene.bodies[k].outline, spacing, NULL);
+        count += cut_outline(&sim->scene.bodies[k].shape, spacing, NULL);
     }
     g->first[bodies] = count;
     g->pieces = sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *g->pieces);
@@ -73,7 +73,7 @@ sph2d_status sph2d__gaps_create(sph2d_sim *sim)
     if (!g->pieces || !g->fronts)
         return SPH2D_NOMEM;
     for (size_t k = 0; k < bodies; ++k)
-        cut_outline(&sim->scene.bodies[k].outline, spacing, g->pieces + g->first[k]);
+        cut_outline(&sim->scene.bodies[k].shape, spacing, g->pieces + g->first[k]);
     return SPH2D_OK;
 }
 

@@ -71,29 +71,29 @@ static void add_sides(writer *w, const sph2d_scene *scene)
 /* ---- obstacles and bodies ---------------------------------------------------------------------------------------- */
 
 /** Adds the corners of an obstacle in the order of its outline, or backwards. */
-static void add_corners(writer *w, const sph2d_outline *outline, double spacing, bool backwards,
+static void add_corners(writer *w, const sph2d_shape *outline, double spacing, bool backwards,
                         sph2d_outline_liquid liquid)
 {
-    size_t pieces = sph2d__outline_pieces(outline, spacing);
-    bool closed = !sph2d__outline_is_open(outline);
+    size_t pieces = sph2d__shape_pieces(outline, spacing);
+    bool closed = !sph2d__shape_is_open(outline);
     for (size_t k = 0; k <= pieces; ++k) {
         if (k == pieces && closed && liquid == SPH2D_OUTLINE_LIQUID_OUTSIDE)
             break; /* a solid closes itself */
         size_t at = backwards ? pieces - k : k;
-        sph2d_vec2 corner = at < pieces ? sph2d__outline_piece(outline, spacing, at).a
-                            : closed    ? sph2d__outline_piece(outline, spacing, 0).a
-                                        : sph2d__outline_piece(outline, spacing, pieces - 1).b;
+        sph2d_vec2 corner = at < pieces ? sph2d__shape_piece(outline, spacing, at).a
+                            : closed    ? sph2d__shape_piece(outline, spacing, 0).a
+                                        : sph2d__shape_piece(outline, spacing, pieces - 1).b;
         add(w, corner, liquid);
     }
     ++w->id;
 }
 
 /** Twice the area within the corners of an outline, positive if they are anticlockwise. */
-static double turning(const sph2d_outline *outline, double spacing)
+static double turning(const sph2d_shape *outline, double spacing)
 {
     double sum = 0;
-    for (size_t k = 0; k < sph2d__outline_pieces(outline, spacing); ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+    for (size_t k = 0; k < sph2d__shape_pieces(outline, spacing); ++k) {
+        sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
         sum += s.a.x * s.b.y - s.a.y * s.b.x;
     }
     return sum;
@@ -104,13 +104,13 @@ static void add_obstacle(writer *w, const sph2d_scene *scene, const sph2d_obstac
     double dx = scene->spacing;
     bool layers = o->body || sph2d__obstacle_form(scene, o) == SPH2D_WALL_GENERALISED || sph2d__is_beside_opening(o);
     if (!layers)
-        add_corners(w, &o->outline, dx, false, SPH2D_OUTLINE_LIQUID_BOTH);
+        add_corners(w, &o->shape, dx, false, SPH2D_OUTLINE_LIQUID_BOTH);
     else if (sph2d__obstacle_is_hollow(o))
-        add_corners(w, &o->outline, dx, turning(&o->outline, dx) < 0, SPH2D_OUTLINE_LIQUID_LEFT);
-    else if (sph2d__outline_is_open(&o->outline))
-        add_corners(w, &o->outline, dx, o->liquid == SPH2D_LIQUID_RIGHT, SPH2D_OUTLINE_LIQUID_LEFT);
+        add_corners(w, &o->shape, dx, turning(&o->shape, dx) < 0, SPH2D_OUTLINE_LIQUID_LEFT);
+    else if (sph2d__shape_is_open(&o->shape))
+        add_corners(w, &o->shape, dx, o->liquid == SPH2D_LIQUID_RIGHT, SPH2D_OUTLINE_LIQUID_LEFT);
     else
-        add_corners(w, &o->outline, dx, false, SPH2D_OUTLINE_LIQUID_OUTSIDE);
+        add_corners(w, &o->shape, dx, false, SPH2D_OUTLINE_LIQUID_OUTSIDE);
 }
 
 /* ---- all of them ------------------------------------------------------------------------------------------------- */

@@ -43,9 +43,9 @@ static double distance_to(const sph2d_sim *sim, const sph2d_obstacle *obstacle, 
     double least = INFINITY;
     sph2d__pose pose = sph2d__sim_pose_of(sim, obstacle);
     sph2d_vec2 q = sph2d__pose_invert(&pose, p);
-    size_t pieces = sph2d__outline_pieces(&obstacle->outline, sim->scene.spacing);
+    size_t pieces = sph2d__shape_pieces(&obstacle->shape, sim->scene.spacing);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment piece = sph2d__outline_piece(&obstacle->outline, sim->scene.spacing, k);
+        sph2d__segment piece = sph2d__shape_piece(&obstacle->shape, sim->scene.spacing, k);
         least = fmin(least, sph2d__segment_distance(&piece, q));
     }
     return least;

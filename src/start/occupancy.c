@@ -26,18 +26,18 @@ static bool is_far(const sph2d__segment *s, double distance, sph2d_vec2 p)
 }
 
 /** Whether a position is within a distance of an outline. */
-static bool is_near(const sph2d_outline *outline, double spacing, double distance, sph2d_vec2 p)
+static bool is_near(const sph2d_shape *outline, double spacing, double distance, sph2d_vec2 p)
 {
-    const sph2d_disc *c = &outline->circle;
-    if (outline->kind == SPH2D_OUTLINE_CIRCLE) /* by its radius: it has far more pieces than the others */
+    const sph2d_circle *c = &outline->circle;
+    if (outline->kind == SPH2D_SHAPE_CIRCLE) /* by its radius: it has far more pieces than the others */
         return is_in_disc(c->center, c->radius + distance, p) && !is_in_disc(c->center, c->radius - distance, p);
-    if (outline->kind == SPH2D_OUTLINE_ARC) {
+    if (outline->kind == SPH2D_SHAPE_ARC) {
         double side, bulge = sph2d__arc_bulge(&outline->arc, spacing);
         return sph2d__arc_distance(&outline->arc, p, &side) < distance + bulge;
     }
-    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    size_t pieces = sph2d__shape_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
         if (!is_far(&s, distance, p) && sph2d__segment_distance(&s, p) < distance)
             return true;
     }
@@ -51,7 +51,7 @@ static sph2d__occupancy occupancy_by(const sph2d_sim *sim, const sph2d_obstacle 
     double distance = factor * (inset ? CLEARANCE_OF_LAYERS : CLEARANCE) * sim->scene.spacing;
     if (sph2d__obstacle_fills(&sim->scene, obstacle, p))
         return layers ? SPH2D__ENCLOSED : SPH2D__NEAR_LINE;
-    if (!is_near(&obstacle->outline, sim->scene.spacing, distance, p))
+    if (!is_near(&obstacle->shape, sim->scene.spacing, distance, p))
         return SPH2D__FREE;
     return layers ? SPH2D__NEAR_LAYERS : SPH2D__NEAR_LINE;
 }

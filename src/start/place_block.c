@@ -126,8 +126,8 @@ static void place_rings(sph2d_sim *sim, placing *b, size_t rings)
         for (size_t i = 0; i < (size_t)count; ++i) {
             double angle = golden * (double)k + 2 * SPH2D__PI * (double)i / count;
             place(sim, b,
-                  (sph2d_vec2){b->block->shape.disc.center.x + radius * cos(angle),
-                               b->block->shape.disc.center.y + radius * sin(angle)});
+                  (sph2d_vec2){b->block->shape.circle.center.x + radius * cos(angle),
+                               b->block->shape.circle.center.y + radius * sin(angle)});
         }
     }
 }
@@ -177,8 +177,8 @@ static void centre(sph2d_sim *sim, const placing *b)
     sph2d__store *f = &sim->system.fluid;
     double x = 0, y = 0, count = (double)(f->count - b->first);
     for (size_t i = b->first; i < f->count; ++i) {
-        x += (f->x[i] - b->block->shape.disc.center.x) / count;
-        y += (f->y[i] - b->block->shape.disc.center.y) / count;
+        x += (f->x[i] - b->block->shape.circle.center.x) / count;
+        y += (f->y[i] - b->block->shape.circle.center.y) / count;
     }
     for (size_t i = b->first; i < f->count; ++i) {
         f->x[i] -= x;
@@ -192,7 +192,7 @@ static void centre(sph2d_sim *sim, const placing *b)
 static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
 {
     const sph2d_shape *shape = &b->block->shape;
-    double corners = shape->kind == SPH2D_SHAPE_POLYGON ? (double)shape->polygon.count : 1;
+    double corners = shape->kind == SPH2D_SHAPE_POLYGON ? (double)shape->points.count : 1;
     double target = b->area / (b->spacing * b->spacing), smallest = INFINITY;
     lattice best = *plain;
     if (shape->kind == SPH2D_SHAPE_BOX || b->block->arrangement == SPH2D_ARRANGEMENT_RINGS || !all_sites_free(b) ||
@@ -214,7 +214,7 @@ static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
         return false;
     remove_block(sim, b);
     place_lattice(sim, b, &best);
-    if (shape->kind == SPH2D_SHAPE_DISC)
+    if (shape->kind == SPH2D_SHAPE_CIRCLE)
         centre(sim, b);
     return true;
 }
@@ -222,7 +222,7 @@ static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
 static bool has_solid(const sph2d_scene *scene)
 {
     for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (!sph2d__outline_is_open(&scene->obstacles[i].outline))
+        if (!sph2d__shape_is_open(&scene->obstacles[i].shape))
             return true;
     return false;
 }
@@ -323,7 +323,7 @@ sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *
     lattice l = lattice_of(sim, block);
     double count = l.nx * l.ny, rings = 0;
     if (block->arrangement == SPH2D_ARRANGEMENT_RINGS) {
-        rings = fmax(round(block->shape.disc.radius / b.spacing), 1);
+        rings = fmax(round(block->shape.circle.radius / b.spacing), 1);
         count = 2 * SPH2D__PI * rings * rings; /* an upper bound of the sum of ring_count */
     }
     char path[64];

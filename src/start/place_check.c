@@ -147,8 +147,7 @@ bool sph2d__sim_is_in_layers(const sph2d_sim *sim, sph2d_vec2 at)
 /** "obstacles[2].line" */
 static void name_outline(const sph2d_sim *sim, size_t k, char path[64])
 {
-    static const char *const keys[] = {"", ".line", ".polyline", ".circle", ".box", ".polygon"};
-    sph2d__obstacle_path(path, 64, &sim->scene, k, keys[sim->scene.obstacles[k].outline.kind]);
+    sph2d__obstacle_path(path, 64, &sim->scene, k, sph2d__shape_key(sim->scene.obstacles[k].shape.kind));
 }
 
 static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 at, size_t count, sph2d_report *report)
@@ -163,7 +162,7 @@ static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 a
         "%zu particles of the liquid lie in its layers of boundary particles, or less than %g spacings from them, near "
         "(%g, %g)",
         count, MIN_DISTANCE, at.x, at.y);
-    if (!sph2d__outline_is_open(&obstacle->outline))
+    if (!sph2d__shape_is_open(&obstacle->shape))
         sph2d_diagnostic_hint(d, "move the liquid or the obstacle; a solid with liquid around it must be %.3g m thick",
                               sph2d__layer_thickness(&sim->scene));
     else

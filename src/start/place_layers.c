@@ -21,7 +21,7 @@ enum { SAMPLES = 4 };
 
 /** An outline as its pieces. */
 typedef struct contour {
-    const sph2d_outline *outline;
+    const sph2d_shape *outline;
     double spacing;
     size_t pieces;
     bool closed, hollow; /**< hollow: closed, with the layers around it */
@@ -30,15 +30,15 @@ typedef struct contour {
 
 static contour contour_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
 {
-    const sph2d_outline *outline = &obstacle->outline;
-    bool closed = !sph2d__outline_is_open(outline), left = closed;
-    if (outline->kind == SPH2D_OUTLINE_POLYGON)
-        left = !sph2d__polygon_is_clockwise(outline->polygon);
+    const sph2d_shape *outline = &obstacle->shape;
+    bool closed = !sph2d__shape_is_open(outline), left = closed;
+    if (outline->kind == SPH2D_SHAPE_POLYGON)
+        left = !sph2d__polygon_is_clockwise(outline->points);
     else if (!closed)
         left = obstacle->liquid == SPH2D_LIQUID_RIGHT;
     double dx = sim->scene.spacing;
     bool hollow = sph2d__obstacle_is_hollow(obstacle);
-    return (contour){outline, dx, sph2d__outline_pieces(outline, dx), closed, hollow, left != hollow ? 1 : -1};
+    return (contour){outline, dx, sph2d__shape_pieces(outline, dx), closed, hollow, left != hollow ? 1 : -1};
 }
 
 static sph2d_vec2 direction_of(sph2d__segment s)
@@ -66,16 +66,16 @@ static double corner_cut(const contour *c, sph2d_vec2 from, sph2d_vec2 to, doubl
 /** Piece `index` of the layer at distance d and this thick, or an empty one. */
 static sph2d__segment layer_piece(const contour *c, size_t index, double d, double thickness)
 {
-    sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, index);
+    sph2d__segment piece = sph2d__shape_piece(c->outline, c->spacing, index);
     sph2d_vec2 u = direction_of(piece);
     double start = 0, end = 0;
     if (index > 0 || c->closed) {
         size_t before = (index + c->pieces - 1) % c->pieces;
-        start = corner_cut(c, direction_of(sph2d__outline_piece(c->outline, c->spacing, before)), u, d, thickness);
+        start = corner_cut(c, direction_of(sph2d__shape_piece(c->outline, c->spacing, before)), u, d, thickness);
     }
     if (index + 1 < c->pieces || c->closed) {
         size_t after = (index + 1) % c->pieces;
-        end = corner_cut(c, u, direction_of(sph2d__outline_piece(c->outline, c->spacing, after)), d, thickness);
+        end = corner_cut(c, u, direction_of(sph2d__shape_piece(c->outline, c->spacing, after)), d, thickness);
     }
     double nx = -u.y * c->side * d, ny = u.x * c->side * d;
     sph2d__segment layer = {{piece.a.x + start * u.x + nx, piece.a.y + start * u.y + ny},
@@ -95,10 +95,10 @@ sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d_obstacle *ob
 /** Whether another piece is on the opposite side of a solid, as in a plate or at a sharp corner. */
 static bool is_opposite(const contour *c, size_t index, size_t other)
 {
-    if (index == other || c->outline->kind == SPH2D_OUTLINE_CIRCLE)
+    if (index == other || c->outline->kind == SPH2D_SHAPE_CIRCLE)
         return false;
-    sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
-    sph2d_vec2 v = direction_of(sph2d__outline_piece(c->outline, c->spacing, other));
+    sph2d_vec2 u = direction_of(sph2d__shape_piece(c->outline, c->spacing, index));
+    sph2d_vec2 v = direction_of(sph2d__shape_piece(c->outline, c->spacing, other));
     if (other == index + 1 || (c->closed && index == c->pieces - 1 && other == 0))
         return is_sharp(c, u, v);
     if (index == other + 1 || (c->closed && other == c->pieces - 1 && index == 0))
@@ -109,14 +109,14 @@ static bool is_opposite(const contour *c, size_t index, size_t other)
 /** Whether a position at distance d from its own piece is nearer to another one. A circle's layers never are. */
 static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
-    if (c->outline->kind == SPH2D_OUTLINE_CIRCLE)
+    if (c->outline->kind == SPH2D_SHAPE_CIRCLE)
         return !c->hollow && d >= c->outline->circle.radius;
-    if (c->outline->kind == SPH2D_OUTLINE_ARC) {
+    if (c->outline->kind == SPH2D_SHAPE_ARC) {
         double side, bulge = sph2d__arc_bulge(&c->outline->arc, c->spacing);
         return sph2d__arc_distance(&c->outline->arc, p, &side) < 0.999 * d - bulge;
     }
     for (size_t k = 0; k < c->pieces; ++k) {
-        sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
+        sph2d__segment piece = sph2d__shape_piece(c->outline, c->spacing, k);
         if (sph2d__segment_distance(&piece, p) < 0.999 * d && !is_opposite(c, index, k))
             return true;
     }
@@ -129,12 +129,12 @@ static bool is_nearer_to_another(const contour *c, size_t index, sph2d_vec2 p, d
 static double thickness_share(const contour *c, size_t index, sph2d_vec2 p, double d)
 {
     double share = 1;
-    sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
+    sph2d_vec2 u = direction_of(sph2d__shape_piece(c->outline, c->spacing, index));
     /* no piece is opposite, and there may be many */
-    if (c->outline->kind == SPH2D_OUTLINE_CIRCLE || c->outline->kind == SPH2D_OUTLINE_ARC || c->hollow)
+    if (c->outline->kind == SPH2D_SHAPE_CIRCLE || c->outline->kind == SPH2D_SHAPE_ARC || c->hollow)
         return 1;
     for (size_t k = 0; k < c->pieces; ++k) {
-        sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, k);
+        sph2d__segment piece = sph2d__shape_piece(c->outline, c->spacing, k);
         double distance = sph2d__segment_distance(&piece, p);
         if (distance >= d + c->spacing || !is_opposite(c, index, k)) /* far: as the other arm of a trough */
             continue;
@@ -151,7 +151,7 @@ static double thickness_share(const contour *c, size_t index, sph2d_vec2 p, doub
 static double mean_share(const contour *c, size_t index, sph2d_vec2 p, double d, double length)
 {
     double share = thickness_share(c, index, p, d), sum = 0;
-    sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
+    sph2d_vec2 u = direction_of(sph2d__shape_piece(c->outline, c->spacing, index));
     if (share >= 1)
         return 1;
     for (int k = 0; k < SAMPLES; ++k) {
@@ -168,12 +168,12 @@ static bool set_particle(const contour *c, size_t index, sph2d_vec2 p, double d,
     if (is_nearer_to_another(c, index, p, d))
         return false;
     double share = mean_share(c, index, p, d, length), out = (1 - share) / 2 * c->spacing; /* to the middle of that */
-    sph2d_vec2 u = direction_of(sph2d__outline_piece(c->outline, c->spacing, index));
+    sph2d_vec2 u = direction_of(sph2d__shape_piece(c->outline, c->spacing, index));
     particle->normal = (sph2d_vec2){u.y * c->side, -u.x * c->side};
     particle->at = (sph2d_vec2){p.x + out * particle->normal.x, p.y + out * particle->normal.y};
     particle->area *= share;
     particle->depth = d - out;
-    if (c->outline->kind == SPH2D_OUTLINE_POLYGON && sph2d__outline_encloses(c->outline, particle->at) == c->hollow)
+    if (c->outline->kind == SPH2D_SHAPE_POLYGON && sph2d__shape_contains(c->outline, particle->at) == c->hollow)
         return false;
     return share > 0.01;
 }
@@ -182,7 +182,7 @@ static bool set_particle(const contour *c, size_t index, sph2d_vec2 p, double d,
  *  get the ends, so that the sum is the length of the piece. */
 static double surface_length(const contour *c, size_t index, sph2d__segment layer, double k, double count)
 {
-    sph2d__segment piece = sph2d__outline_piece(c->outline, c->spacing, index);
+    sph2d__segment piece = sph2d__shape_piece(c->outline, c->spacing, index);
     sph2d_vec2 u = direction_of(piece);
     double length = hypot(piece.b.x - piece.a.x, piece.b.y - piece.a.y);
     double start = (layer.a.x - piece.a.x) * u.x + (layer.a.y - piece.a.y) * u.y;
@@ -225,7 +225,7 @@ static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
 {
     double thickness = sph2d__layer_count(sim) * c->spacing;
     for (size_t k = 0; k < c->pieces; ++k) {
-        sph2d__segment front = sph2d__outline_piece(c->outline, c->spacing, k), back = layer_piece(c, k, thickness, 0);
+        sph2d__segment front = sph2d__shape_piece(c->outline, c->spacing, k), back = layer_piece(c, k, thickness, 0);
         sph2d_vec2 middle = {(back.a.x + back.b.x) / 2, (back.a.y + back.b.y) / 2};
         if (hypot(back.b.x - back.a.x, back.b.y - back.a.y) < 0.01 * c->spacing ||
             is_nearer_to_another(c, k, back.a, thickness) || is_nearer_to_another(c, k, back.b, thickness) ||

@@ -93,7 +93,7 @@ static double side_offset(const sph2d_sim *sim)
 
 bool sph2d__has_inset_row(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
 {
-    return sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_HEAVY && !sph2d__outline_is_open(&obstacle->outline) &&
+    return sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_HEAVY && !sph2d__shape_is_open(&obstacle->shape) &&
            !sph2d__obstacle_is_hollow(obstacle);
 }
 
@@ -103,14 +103,14 @@ static double inset_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
 {
     if (!sph2d__has_inset_row(&sim->scene, obstacle))
         return 0;
-    const sph2d_outline *outline = &obstacle->outline;
+    const sph2d_shape *outline = &obstacle->shape;
     double spacing = sim->scene.spacing, length = 0;
-    size_t pieces = sph2d__outline_pieces(outline, spacing);
+    size_t pieces = sph2d__shape_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, spacing, k);
+        sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
         length += hypot(s.b.x - s.a.x, s.b.y - s.a.y);
     }
-    return fmin(row_offset(sim) * spacing, sph2d__outline_area(outline) / length);
+    return fmin(row_offset(sim) * spacing, sph2d__shape_area(outline) / length);
 }
 
 /** Places the boundary particles of an obstacle and adds its pieces to a barrier. */
@@ -118,14 +118,14 @@ static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle
                                   sph2d_report *report)
 {
     double spacing = sim->scene.spacing;
-    size_t pieces = sph2d__outline_pieces(&obstacle->outline, spacing);
+    size_t pieces = sph2d__shape_pieces(&obstacle->shape, spacing);
     if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + (double)pieces, "obstacles", report))
         return SPH2D_SCENE;
     sph2d_wall_form form = sph2d__obstacle_form(&sim->scene, obstacle);
-    bool open = sph2d__outline_is_open(&obstacle->outline);
+    bool open = sph2d__shape_is_open(&obstacle->shape);
     double inset = inset_of(sim, obstacle);
     for (size_t k = 0; k < pieces; ++k) {
-        wall_piece piece = {sph2d__outline_piece(&obstacle->outline, spacing, k), form, obstacle->restitution,
+        wall_piece piece = {sph2d__shape_piece(&obstacle->shape, spacing, k), form, obstacle->restitution,
                             open && k + 1 == pieces};
         sph2d__segment wall = piece.segment;
         if (inset > 0)
@@ -154,7 +154,7 @@ static sph2d_status start_motion(sph2d_sim *sim, sph2d__moving *m, const sph2d_o
     if ((bends && !points) || (turns && !normals))
         return SPH2D_NOMEM;
     m->obstacle = obstacle;
-    m->course = sph2d__course_of(&obstacle->motion, &obstacle->outline, points);
+    m->course = sph2d__course_of(&obstacle->motion, &obstacle->shape, points);
     sph2d__moving_start(m, walls, normals);
     return SPH2D_OK;
 }

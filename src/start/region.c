@@ -67,27 +67,11 @@ static void mark_piece(sph2d__region *r, sph2d__segment s)
     }
 }
 
-/** A shape's edge as the outline of an obstacle. */
-static sph2d_outline edge_of(const sph2d_shape *shape)
+static void mark_outline(sph2d__region *r, const sph2d_shape *outline, double shift_x, double shift_y)
 {
-    switch (shape->kind) {
-    case SPH2D_SHAPE_BOX:
-        return (sph2d_outline){.kind = SPH2D_OUTLINE_BOX, .box = shape->box};
-    case SPH2D_SHAPE_DISC:
-        return (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = shape->disc};
-    case SPH2D_SHAPE_POLYGON:
-        return (sph2d_outline){.kind = SPH2D_OUTLINE_POLYGON, .polygon = shape->polygon};
-    case SPH2D_SHAPE_NONE:
-        break;
-    }
-    return (sph2d_outline){.kind = SPH2D_OUTLINE_NONE};
-}
-
-static void mark_outline(sph2d__region *r, const sph2d_outline *outline, double shift_x, double shift_y)
-{
-    size_t pieces = sph2d__outline_pieces(outline, r->size);
+    size_t pieces = sph2d__shape_pieces(outline, r->size);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__outline_piece(outline, r->size, k);
+        sph2d__segment s = sph2d__shape_piece(outline, r->size, k);
         mark_piece(r, (sph2d__segment){{s.a.x + shift_x, s.a.y + shift_y}, {s.b.x + shift_x, s.b.y + shift_y}});
     }
 }
@@ -95,16 +79,15 @@ static void mark_outline(sph2d__region *r, const sph2d_outline *outline, double 
 static void mark_edges(sph2d__region *r)
 {
     const sph2d_scene *scene = &r->sim->scene;
-    sph2d_outline edge = edge_of(r->shape);
     double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
     int across = length_x > 0, along = length_y > 0;
-    mark_outline(r, &edge, 0, 0);
+    mark_outline(r, r->shape, 0, 0);
     for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
+        if (sph2d__shape_is_open(&scene->obstacles[i].shape))
             continue;
         for (int image_x = -across; image_x <= across; ++image_x)
             for (int image_y = -along; image_y <= along; ++image_y)
-                mark_outline(r, &scene->obstacles[i].outline, image_x * length_x, image_y * length_y);
+                mark_outline(r, &scene->obstacles[i].shape, image_x * length_x, image_y * length_y);
     }
 }
 
@@ -155,7 +138,7 @@ static sph2d__segment longest_side(sph2d_points corners)
 /** Side k of the shape's polygon, in cells from the region's origin; `turned`: with x and y exchanged. */
 static sph2d__segment side_in_cells(const sph2d__region *r, size_t k, bool turned)
 {
-    sph2d_points corners = r->shape->polygon;
+    sph2d_points corners = r->shape->points;
     sph2d_vec2 a = sph2d__region_in_cells(r, corners.items[k]);
     sph2d_vec2 b = sph2d__region_in_cells(r, corners.items[(k + 1) % corners.count]);
     return turned ? (sph2d__segment){{a.y, a.x}, {b.y, b.x}} : (sph2d__segment){a, b};
@@ -165,7 +148,7 @@ static sph2d__segment side_in_cells(const sph2d__region *r, size_t k, bool turne
 static double length_on_lines(const sph2d__region *r, double from, bool rows)
 {
     double length = 0;
-    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+    for (size_t k = 0; k < r->shape->points.count; ++k) {
         sph2d__segment s = side_in_cells(r, k, rows);
         double x = s.a.x - from;
         if (fabs(s.b.x - s.a.x) < ON_LINE && fabs(x - floor(x + 0.5)) < ON_LINE)
@@ -178,7 +161,7 @@ static double length_on_lines(const sph2d__region *r, double from, bool rows)
 static double best_offset(const sph2d__region *r, bool rows)
 {
     double best = 0, longest = length_on_lines(r, 0, rows);
-    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
+    for (size_t k = 0; k < r->shape->points.count; ++k) {
         sph2d__segment s = side_in_cells(r, k, rows);
         double length = fabs(s.b.x - s.a.x) < ON_LINE ? length_on_lines(r, s.a.x, rows) : 0;
         if (length > longest * (1 + 1e-9)) {
@@ -196,8 +179,8 @@ static sph2d_box bounds_in_cells(const sph2d__region *r)
     if (r->shape->kind != SPH2D_SHAPE_POLYGON)
         return (sph2d_box){sph2d__region_in_cells(r, b.min), sph2d__region_in_cells(r, b.max)};
     b = (sph2d_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (size_t k = 0; k < r->shape->polygon.count; ++k) {
-        sph2d_vec2 p = sph2d__region_in_cells(r, r->shape->polygon.items[k]);
+    for (size_t k = 0; k < r->shape->points.count; ++k) {
+        sph2d_vec2 p = sph2d__region_in_cells(r, r->shape->points.items[k]);
         b = (sph2d_box){{fmin(b.min.x, p.x), fmin(b.min.y, p.y)}, {fmax(b.max.x, p.x), fmax(b.max.y, p.y)}};
     }
     return b;
@@ -220,7 +203,7 @@ bool sph2d__region_make(sph2d__region *region, sph2d_sim *sim, const sph2d_shape
 {
     *region = (sph2d__region){.sim = sim, .shape = shape, .axis = {1, 0}, .origin = corner, .size = size};
     if (shape->kind == SPH2D_SHAPE_POLYGON) {
-        sph2d__segment side = longest_side(shape->polygon);
+        sph2d__segment side = longest_side(shape->points);
         double length = hypot(side.b.x - side.a.x, side.b.y - side.a.y);
         region->axis = (sph2d_vec2){(side.b.x - side.a.x) / length, (side.b.y - side.a.y) / length};
         region->origin = side.a;
@@ -251,13 +234,11 @@ static size_t mark_surface(sph2d__region *r)
     const sph2d_scene *scene = &r->sim->scene;
     size_t marked = 0;
     mark_edges(r);
-    for (size_t i = 0; i < scene->block_count; ++i) {
-        sph2d_outline edge = edge_of(&scene->blocks[i].shape);
-        mark_outline(r, &edge, 0, 0);
-    }
+    for (size_t i = 0; i < scene->block_count; ++i)
+        mark_outline(r, &scene->blocks[i].shape, 0, 0);
     for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (sph2d__outline_is_open(&scene->obstacles[i].outline))
-            mark_outline(r, &scene->obstacles[i].outline, 0, 0);
+        if (sph2d__shape_is_open(&scene->obstacles[i].shape))
+            mark_outline(r, &scene->obstacles[i].shape, 0, 0);
     for (size_t cell = 0; cell < r->nx * r->ny; ++cell) {
         sph2d_vec2 p = sph2d__region_position(r, (double)(cell % r->nx) + 0.5, (double)(cell / r->nx) + 0.5);
         double cover = sph2d__cloud_cover(r->cloud, p);

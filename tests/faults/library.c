@@ -132,7 +132,7 @@ int main(void)
     spring.to = (sph2d_vec2){0.7, 0.5};
     spring.stiffness = 10;
     sph2d_body body = sph2d_body_default();
-    body.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.7, 0.2}, 0.1}};
+    body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.7, 0.2}, 0.1}};
     body.density = 500;
     body.springs = &spring;
     body.spring_count = 1;

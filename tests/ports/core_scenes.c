@@ -58,11 +58,11 @@ static bool run_dam(const char *method, const sph2d_method_options *by)
     scene.blocks = &column;
     scene.block_count = 1;
     sph2d_obstacle post = sph2d_obstacle_default();
-    post.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.75, 0.15}, 0.1}};
+    post.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.75, 0.15}, 0.1}};
     scene.obstacles = &post;
     scene.obstacle_count = 1;
     sph2d_body float_ = sph2d_body_default();
-    float_.outline = (sph2d_outline){.kind = SPH2D_OUTLINE_CIRCLE, .circle = {{0.2, 0.72}, 0.1}};
+    float_.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.2, 0.72}, 0.1}};
     float_.density = 500;
     scene.bodies = &float_;
     scene.body_count = 1;
@@ -78,7 +78,7 @@ static bool run_drop(const char *method, const sph2d_method_options *by)
     scene.fluid.surface_tension = 0.072;
     scene.fluid.dynamic_viscosity = 1e-2;
     sph2d_block drop = sph2d_block_default();
-    drop.shape = (sph2d_shape){.kind = SPH2D_SHAPE_DISC, .disc = {{0.025, 0.0105}, 0.01}};
+    drop.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{0.025, 0.0105}, 0.01}};
     drop.velocity = (sph2d_vec2){0.1, -0.3};
     scene.blocks = &drop;
     scene.block_count = 1;

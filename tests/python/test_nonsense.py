@@ -115,10 +115,10 @@ class Nonsense(common.InFolder):
                     ("points", "points", sim.sample), ("points", "points", sim.add_particles))
         for member, kind, shape in (
                 ("", "shape", lambda v: v), (".box", "shape", lambda v: {"box": v}),
-                (".disc", "shape", lambda v: {"disc": v}), (".polygon", "points", lambda v: {"polygon": v}),
+                (".circle", "shape", lambda v: {"circle": v}), (".polygon", "points", lambda v: {"polygon": v}),
                 (".box.max", "pair", lambda v: {"box": {"min": [0.9, 1], "max": v}}),
-                (".disc.center", "pair", lambda v: {"disc": {"center": v, "radius": 0.01}}),
-                (".disc.radius", "number", lambda v: {"disc": {"center": [9, 9], "radius": v}})):
+                (".circle.center", "pair", lambda v: {"circle": {"center": v, "radius": 0.01}}),
+                (".circle.radius", "number", lambda v: {"circle": {"center": [9, 9], "radius": v}})):
             yield kind, f"shape{member}|a shape", lambda v, shape=shape: sim.remove_particles(shape(v))
         yield from (("flag", "contacts", lambda v: sph2d.Simulation(tank(), contacts=v)),
                     ("flag", "contacts", lambda v: snapshot.resume(contacts=v)),

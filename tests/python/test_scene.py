@@ -26,7 +26,7 @@ class Scenes(common.InFolder):
         self.assertEqual(keys["name"], 'a "tank" é')
         self.assertEqual(keys["domain"], {"min": (0, 0), "max": (1, 0.8)})
         self.assertEqual(keys["blocks"][0]["box"]["max"], (0.4, 0.6))
-        self.assertNotIn("disc", keys["blocks"][0])
+        self.assertNotIn("circle", keys["blocks"][0])
         self.assertEqual((keys["method"]["name"], keys["boundary"]["top"], keys["run"]["until"]), ("wcsph", "open", 1))
         self.assertEqual((keys["method"]["cfl"], keys["motion"]["center"], keys["gravity"]), (None, None, (0, -9.81)))
         self.assertEqual(scene.plan().fluid_particles, 96)

@@ -187,11 +187,11 @@ class Editing(unittest.TestCase):
             with self.assertRaises(sph2d.Error) as caught:
                 sim.add_particles(*arguments)
             self.assertEqual(caught.exception.status, "INVALID")
-        for shape in (None, {}, {"cone": 1}, {"box": {}}, {"box": {"min": 1, "max": 2}}, {"disc": {"center": [0, 0]}},
+        for shape in (None, {}, {"cone": 1}, {"box": {}}, {"box": {"min": 1, "max": 2}}, {"circle": {"center": [0, 0]}},
                       {"polygon": [1, 2, 3]}, {"none": None}, {"box": {}, "disc": {}}, {1: 2}):
             with self.assertRaises(ValueError):
                 sim.remove_particles(shape)
-        for shape in ({"disc": {"center": [0, 0], "radius": -1}}, {"box": {"min": [0, 0], "max": [math.nan, 1]}},
+        for shape in ({"circle": {"center": [0, 0], "radius": -1}}, {"box": {"min": [0, 0], "max": [math.nan, 1]}},
                       {"polygon": [[0, 0], [1, 0]]}):
             with self.assertRaises(sph2d.Error) as caught:
                 sim.remove_particles(shape)

@@ -12,45 +12,45 @@ enum { PIECES = 64 }; // points along an outline
 
 // ---- outlines ------------------------------------------------------------------------------------------------------
 
-static size_t corner_count(const sph2d_outline *o)
+static size_t corner_count(const sph2d_shape *o)
 {
     switch (o->kind) {
-    case SPH2D_OUTLINE_BOX:
+    case SPH2D_SHAPE_BOX:
         return 4;
-    case SPH2D_OUTLINE_POLYGON:
-        return o->polygon.count;
-    case SPH2D_OUTLINE_LINE:
-        return o->line.count;
-    case SPH2D_OUTLINE_POLYLINE:
-        return o->polyline.count;
-    case SPH2D_OUTLINE_CIRCLE:
-    case SPH2D_OUTLINE_ARC:
-    case SPH2D_OUTLINE_NONE:
+    case SPH2D_SHAPE_POLYGON:
+        return o->points.count;
+    case SPH2D_SHAPE_LINE:
+        return o->points.count;
+    case SPH2D_SHAPE_POLYLINE:
+        return o->points.count;
+    case SPH2D_SHAPE_CIRCLE:
+    case SPH2D_SHAPE_ARC:
+    case SPH2D_SHAPE_NONE:
         break;
     }
     return 0;
 }
 
-static sph2d_vec2 corner(const sph2d_outline *o, size_t i)
+static sph2d_vec2 corner(const sph2d_shape *o, size_t i)
 {
-    if (o->kind == SPH2D_OUTLINE_BOX)
+    if (o->kind == SPH2D_SHAPE_BOX)
         return (sph2d_vec2){i == 1 || i == 2 ? o->box.max.x : o->box.min.x, i >= 2 ? o->box.max.y : o->box.min.y};
-    return o->kind == SPH2D_OUTLINE_POLYGON ? o->polygon.items[i]
-           : o->kind == SPH2D_OUTLINE_LINE  ? o->line.items[i]
-                                            : o->polyline.items[i];
+    return o->kind == SPH2D_SHAPE_POLYGON ? o->points.items[i]
+           : o->kind == SPH2D_SHAPE_LINE  ? o->points.items[i]
+                                          : o->points.items[i];
 }
 
-static bool is_open(const sph2d_outline *o)
+static bool is_open(const sph2d_shape *o)
 {
-    return o->kind == SPH2D_OUTLINE_LINE || o->kind == SPH2D_OUTLINE_POLYLINE || o->kind == SPH2D_OUTLINE_ARC;
+    return o->kind == SPH2D_SHAPE_LINE || o->kind == SPH2D_SHAPE_POLYLINE || o->kind == SPH2D_SHAPE_ARC;
 }
 
 /** How deep a point is in a closed outline; negative outside and for lines. */
-static double depth_in(const sph2d_outline *o, sph2d_vec2 p)
+static double depth_in(const sph2d_shape *o, sph2d_vec2 p)
 {
     if (is_open(o))
         return -INFINITY;
-    if (o->kind == SPH2D_OUTLINE_CIRCLE)
+    if (o->kind == SPH2D_SHAPE_CIRCLE)
         return o->circle.radius - hypot(p.x - o->circle.center.x, p.y - o->circle.center.y);
     const size_t count = corner_count(o);
     double nearest = INFINITY;
@@ -72,12 +72,12 @@ static sph2d_vec2 at_angle(sph2d_vec2 center, double radius, double angle)
 }
 
 /** A point along an outline; of those with corners, these are among them. */
-static sph2d_vec2 along(const sph2d_outline *o, size_t index)
+static sph2d_vec2 along(const sph2d_shape *o, size_t index)
 {
     const double turn = (double)index / PIECES;
-    if (o->kind == SPH2D_OUTLINE_CIRCLE)
+    if (o->kind == SPH2D_SHAPE_CIRCLE)
         return at_angle(o->circle.center, o->circle.radius, 2 * pi * turn);
-    if (o->kind == SPH2D_OUTLINE_ARC)
+    if (o->kind == SPH2D_SHAPE_ARC)
         return at_angle(o->arc.center, o->arc.radius, o->arc.from + turn * (o->arc.to - o->arc.from));
     const size_t count = corner_count(o), edges = is_open(o) ? count - 1 : count, each = PIECES / edges + 1;
     const size_t edge = index / each % edges;
@@ -86,11 +86,11 @@ static sph2d_vec2 along(const sph2d_outline *o, size_t index)
     return (sph2d_vec2){a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
 }
 
-static size_t along_count(const sph2d_outline *o)
+static size_t along_count(const sph2d_shape *o)
 {
-    if (o->kind == SPH2D_OUTLINE_CIRCLE)
+    if (o->kind == SPH2D_SHAPE_CIRCLE)
         return PIECES;
-    if (o->kind == SPH2D_OUTLINE_ARC)
+    if (o->kind == SPH2D_SHAPE_ARC)
         return PIECES + 1;
     const size_t edges = is_open(o) ? corner_count(o) - 1 : corner_count(o);
     return edges * (PIECES / edges + 1);
@@ -104,9 +104,9 @@ typedef struct moments {
 } moments;
 
 /** Sums over triangles with the first corner. */
-static moments moments_of(const sph2d_outline *o)
+static moments moments_of(const sph2d_shape *o)
 {
-    if (o->kind == SPH2D_OUTLINE_CIRCLE) {
+    if (o->kind == SPH2D_SHAPE_CIRCLE) {
         const double r2 = o->circle.radius * o->circle.radius;
         return (moments){pi * r2, pi * r2 * r2 / 2, o->circle.center};
     }
@@ -128,12 +128,12 @@ static moments moments_of(const sph2d_outline *o)
 
 double body_mass(const sph2d_body *body)
 {
-    return body->mass > 0 ? body->mass : body->density * moments_of(&body->outline).area;
+    return body->mass > 0 ? body->mass : body->density * moments_of(&body->shape).area;
 }
 
 static sph2d_vec2 center_of(const sph2d_body *body)
 {
-    return isnan(body->center.x) ? moments_of(&body->outline).center : body->center;
+    return isnan(body->center.x) ? moments_of(&body->shape).center : body->center;
 }
 
 double bodies_scale(const sph2d_scene *s, double (*fall)(const sph2d_scene *, double x, double y))
@@ -141,7 +141,7 @@ double bodies_scale(const sph2d_scene *s, double (*fall)(const sph2d_scene *, do
     double sum = 0;
     for (size_t k = 0; k < s->body_count; ++k) {
         const sph2d_body *b = &s->bodies[k];
-        const moments m = moments_of(&b->outline);
+        const moments m = moments_of(&b->shape);
         const double mass = body_mass(b), inertia = b->inertia > 0 ? b->inertia : mass * m.second / m.area;
         const sph2d_vec2 center = center_of(b);
         sum += mass * (0.5 * (b->velocity.x * b->velocity.x + b->velocity.y * b->velocity.y) +
@@ -161,7 +161,7 @@ double bodies_scale(const sph2d_scene *s, double (*fall)(const sph2d_scene *, do
 
 /** An outline that has moved: what was at `from` is at `to`. */
 typedef struct placed {
-    const sph2d_outline *outline;
+    const sph2d_shape *outline;
     sph2d_vec2 from, to;
     double cosine, sine;
     double reach; // of the outline from there; +inf: not known
@@ -182,7 +182,7 @@ static sph2d_vec2 drawn(const placed *p, sph2d_vec2 at)
 static placed body_now(const sph2d_scene *s, const sph2d_sim *sim, size_t k)
 {
     const sph2d_body_state state = sph2d_sim_body(sim, k);
-    const sph2d_outline *o = &s->bodies[k].outline;
+    const sph2d_shape *o = &s->bodies[k].shape;
     placed p = {o, center_of(&s->bodies[k]), state.center, cos(state.angle), sin(state.angle), 0};
     for (size_t i = 0; i < along_count(o); ++i)
         p.reach = fmax(p.reach, hypot(along(o, i).x - p.from.x, along(o, i).y - p.from.y));
@@ -255,7 +255,7 @@ static void keep(double *most, double depth, char text[200], size_t body, const 
 static double overlap_with_obstacle(const sph2d_scene *s, placed body, size_t index)
 {
     // All points of an obstacle at rest are where they are drawn.
-    const placed other = {&s->obstacles[index].outline, {0, 0}, {0, 0}, 1, 0, INFINITY};
+    const placed other = {&s->obstacles[index].shape, {0, 0}, {0, 0}, 1, 0, INFINITY};
     body.to.x -= period(s, false) * floor((body.to.x - s->domain.min.x) / fmax(period(s, false), 1e-300));
     body.to.y -= period(s, true) * floor((body.to.y - s->domain.min.y) / fmax(period(s, true), 1e-300));
     return fmax(deepest(&body, &other), deepest(&other, &body));

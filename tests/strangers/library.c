@@ -139,18 +139,18 @@ static size_t count_inside(const sph2d_scene *s, const sph2d_sim *sim)
     const double skin = 0.2 * s->spacing;
     size_t count = 0;
     for (size_t k = 0; k < s->obstacle_count; ++k) {
-        const sph2d_outline *o = &s->obstacles[k].outline;
+        const sph2d_shape *o = &s->obstacles[k].shape;
         const sph2d_vec2 moved = displacement(&s->obstacles[k].motion, sph2d_sim_time(sim));
-        const sph2d_vec2 c = o->kind == SPH2D_OUTLINE_CIRCLE
+        const sph2d_vec2 c = o->kind == SPH2D_SHAPE_CIRCLE
                                  ? o->circle.center
                                  : (sph2d_vec2){(o->box.min.x + o->box.max.x) / 2, (o->box.min.y + o->box.max.y) / 2};
         const double angle = s->obstacles[k].motion.rate * sph2d_sim_time(sim), co = cos(angle), si = sin(angle);
         for (size_t i = 0; i < f.count; ++i) {
             const double rx = f.x[i] - moved.x - c.x, ry = f.y[i] - moved.y - c.y;
             const double x = c.x + co * rx + si * ry, y = c.y + co * ry - si * rx;
-            if (o->kind == SPH2D_OUTLINE_CIRCLE)
+            if (o->kind == SPH2D_SHAPE_CIRCLE)
                 count += hypot(x - o->circle.center.x, y - o->circle.center.y) < o->circle.radius - skin;
-            else if (o->kind == SPH2D_OUTLINE_BOX)
+            else if (o->kind == SPH2D_SHAPE_BOX)
                 count += x > o->box.min.x + skin && x < o->box.max.x - skin && y > o->box.min.y + skin &&
                          y < o->box.max.y - skin;
         }

@@ -6,8 +6,8 @@
 #include <math.h>
 
 #include "scene/liquid_side.h"
-#include "scene/outline.h"
 #include "scene/resolve.h"
+#include "scene/shape.h"
 #include "scene/wall_names.h"
 
 /* Part of a spacing within which an outline lies along a side. */
@@ -15,8 +15,8 @@ static const double ALONG = 1e-6;
 
 sph2d__solid sph2d__solid_of(const sph2d_scene *scene, const sph2d_obstacle *obstacle, const sph2d__pose *pose)
 {
-    const bool layered = sph2d__outline_is_open(&obstacle->outline) || sph2d__obstacle_is_hollow(obstacle);
-    const sph2d_box b = sph2d__outline_bounds(&obstacle->outline, scene->spacing), *d = &scene->domain;
+    const bool layered = sph2d__shape_is_open(&obstacle->shape) || sph2d__obstacle_is_hollow(obstacle);
+    const sph2d_box b = sph2d__shape_bounds(&obstacle->shape), *d = &scene->domain;
     const sph2d_vec2 ends[4] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}};
     const double more = layered ? sph2d__layer_thickness(scene) : 0, in = ALONG * scene->spacing;
     sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
@@ -70,13 +70,13 @@ static bool clip(sph2d__segment *s, const sph2d_box *box)
 /** Distance of a point from a solid's outline; `drawn`: the point, where the scene draws the solid [m]. */
 static double outline_distance(const sph2d__solid *s, sph2d_vec2 at, sph2d_vec2 drawn)
 {
-    const sph2d_outline *outline = &s->obstacle->outline;
+    const sph2d_shape *outline = &s->obstacle->shape;
     const double spacing = s->scene->spacing;
     if (!s->reaches)
-        return sph2d__outline_nearest(outline, spacing, drawn);
+        return sph2d__shape_nearest(outline, spacing, drawn);
     double nearest = INFINITY;
-    for (size_t k = 0, n = sph2d__outline_pieces(outline, spacing); k < n; ++k) {
-        sph2d__segment piece = sph2d__outline_piece(outline, spacing, k);
+    for (size_t k = 0, n = sph2d__shape_pieces(outline, spacing); k < n; ++k) {
+        sph2d__segment piece = sph2d__shape_piece(outline, spacing, k);
         piece.a = sph2d__pose_apply(s->pose, piece.a);
         piece.b = sph2d__pose_apply(s->pose, piece.b);
         if (clip(&piece, &s->inside))
@@ -89,21 +89,21 @@ double sph2d__solid_distance(const sph2d__solid *s, sph2d_vec2 point)
 {
     const sph2d_scene *scene = s->scene;
     const sph2d_obstacle *o = s->obstacle;
-    const sph2d_outline *outline = &o->outline;
+    const sph2d_shape *outline = &o->shape;
     const sph2d_vec2 at = {fmin(fmax(point.x, s->inside.min.x), s->inside.max.x),
                            fmin(fmax(point.y, s->inside.min.y), s->inside.max.y)};
     const sph2d_vec2 p = sph2d__pose_invert(s->pose, at);
     const double d = outline_distance(s, at, p), thick = sph2d__layer_thickness(scene);
-    if (!sph2d__outline_is_open(outline)) {
+    if (!sph2d__shape_is_open(outline)) {
         if (sph2d__obstacle_fills(scene, o, p))
             return -d;
-        const bool beyond = sph2d__obstacle_is_hollow(o) && !sph2d__outline_encloses(outline, p);
+        const bool beyond = sph2d__obstacle_is_hollow(o) && !sph2d__shape_contains(outline, p);
         return beyond ? d - thick : d;
     }
     /* A line is wet on one side, with layers on the other: the side is that of its nearest piece. */
     double nearest = INFINITY, side = 0;
-    for (size_t k = 0, n = sph2d__outline_pieces(outline, scene->spacing); k < n; ++k) {
-        const sph2d__segment piece = sph2d__outline_piece(outline, scene->spacing, k);
+    for (size_t k = 0, n = sph2d__shape_pieces(outline, scene->spacing); k < n; ++k) {
+        const sph2d__segment piece = sph2d__shape_piece(outline, scene->spacing, k);
         const double r = sph2d__segment_distance(&piece, p);
         if (r < nearest) {
             nearest = r;
