@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /** @file parameters_read.c
- *  Reads single values of a scene from a snapshot, for uses that do not run it, and the paths and numbers that files gave
- *  it. */
+ *  Reads single values of a scene from a snapshot, for uses that do not run it, and what files gave it. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "files/history_file.h"
+#include "files/scene_tables.h"
 #include "files/snapshot.h"
-#include "files/start_file.h"
+#include "files/table_kind.h"
 #include "sph2d/key.h"
 
 enum { PATH_SIZE = 256 };
@@ -99,85 +98,53 @@ void sph2d__snapshot_get_parameters(sph2d__h5_reader *r, sph2d_scene *scene)
     get_struct(r, sph2d_scene_keys(), (char *)scene, "");
 }
 
-/* ---- paths ------------------------------------------------------------------------------------------------------- */
+/* ---- what files gave --------------------------------------------------------------------------------------------- */
 
-static void get_path(sph2d__h5_reader *r, sph2d_snapshot *s, const char *key)
+/** Makes a list of zeros with as many items as the file has: each of them has the key `each`. */
+static void *make_items(sph2d__h5_reader *r, const char *list, const char *each, size_t size, size_t *count)
 {
+    char key[64];
+    *count = 0;
+    do
+        snprintf(key, sizeof key, "%s[%zu].%s", list, *count, each);
+    while (sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) && ++*count);
+    void *items = sph2d__pool_alloc(r->pool, *count, size);
+    if (!items) {
+        r->status = SPH2D_NOMEM;
+        *count = 0;
+    }
+    return items;
+}
+
+/** Reads a list over time, if the file has it. */
+static void get_list(void *context, const char *key, size_t width, void *list)
+{
+    sph2d__h5_reader *r = context;
     sph2d__h5_item item;
-    if (!sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) || !sph2d__h5_item_open(r, SPH2D__GROUP_PARAMETERS, key, &item))
+    if (r->status == SPH2D_NOMEM || !sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) ||
+        !sph2d__h5_item_open(r, SPH2D__GROUP_PARAMETERS, key, &item))
         return;
-    sph2d__kept_path *path = &s->paths[s->path_count];
-    void *rows = NULL;
+    double *rows = NULL;
     if (H5Tget_class(item.type) != H5T_FLOAT || item.rank != 2)
         sph2d__h5_refuse(r, SPH2D_CODE_FILE_FIELD, "'%.100s' has the wrong shape or type", key);
-    else if (!(rows = sph2d__pool_alloc(r->pool, item.sizes[0] * item.sizes[1] + 1, sizeof(double))) ||
-             !(path->key = sph2d__pool_text(r->pool, key, strlen(key))))
+    else if (!(rows = sph2d__pool_alloc(r->pool, item.sizes[0] * item.sizes[1] + 1, sizeof *rows)))
         r->status = SPH2D_NOMEM;
-    else if (sph2d__h5_item_read(r, &item, H5T_NATIVE_DOUBLE, rows, key)) {
-        path->rows = rows;
-        path->count = item.sizes[0];
-        path->width = item.sizes[1];
-        ++s->path_count;
-    }
+    else if (sph2d__h5_item_read(r, &item, H5T_NATIVE_DOUBLE, rows, key) && item.sizes[1] == width)
+        memcpy(list, &(sph2d__list){rows, item.sizes[0]}, sizeof(sph2d__list));
     sph2d__h5_item_close(&item);
 }
 
-/** Takes a number, as a path of one row. */
-static void get_number(sph2d__h5_reader *r, sph2d_snapshot *s, const char *key)
+void sph2d__snapshot_get_given(sph2d__h5_reader *r, sph2d_scene *scene)
 {
-    if (r->status == SPH2D_NOMEM || !sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key))
-        return;
-    sph2d__kept_path *path = &s->paths[s->path_count];
-    double *number = sph2d__pool_alloc(r->pool, 1, sizeof *number);
-    path->key = sph2d__pool_text(r->pool, key, strlen(key));
-    if (!number || !path->key) {
-        r->status = SPH2D_NOMEM;
-        return;
-    }
-    if (!sph2d__h5_get_reals(r, SPH2D__GROUP_PARAMETERS, key, number, 1))
-        return;
-    path->rows = number;
-    path->count = path->width = 1;
-    ++s->path_count;
-}
-
-/** Number of items of a list: each has a key. */
-static size_t count_items(sph2d__h5_reader *r, const char *list, const char *each)
-{
-    char key[64];
-    size_t count = 0;
-    do
-        snprintf(key, sizeof key, "%s[%zu].%s", list, count, each);
-    while (sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key) && ++count);
-    return count;
-}
-
-void sph2d__snapshot_get_paths(sph2d__h5_reader *r, sph2d_snapshot *s)
-{
-    size_t obstacles = count_items(r, "obstacles", "restitution"), openings = count_items(r, "openings", "side");
-    size_t blocks = count_items(r, "blocks", "velocity");
-    s->paths = sph2d__pool_alloc(r->pool, obstacles + (1 + SPH2D__HISTORIES) * openings + blocks + 4, sizeof *s->paths);
-    if (!s->paths) {
-        r->status = SPH2D_NOMEM;
-        return;
-    }
-    get_number(r, s, SPH2D__SOUND_SPEED_KEY);
-    for (size_t i = 0; i <= blocks; ++i) {
+    sph2d_block *blocks = make_items(r, "blocks", "velocity", sizeof *blocks, &scene->block_count);
+    for (size_t i = 0; i < scene->block_count && r->status != SPH2D_NOMEM; ++i) {
         char key[64];
-        sph2d__start_key(key, i < blocks ? i : SIZE_MAX);
-        get_number(r, s, key);
+        snprintf(key, sizeof key, "blocks[%zu].start.top_speed", i);
+        if (sph2d__h5_has(r, SPH2D__GROUP_PARAMETERS, key))
+            sph2d__h5_get_reals(r, SPH2D__GROUP_PARAMETERS, key, &blocks[i].start.top_speed, 1);
     }
-    get_path(r, s, "gravity_path");
-    get_path(r, s, "motion.path");
-    for (size_t i = 0; i < obstacles && r->status != SPH2D_NOMEM; ++i) {
-        char key[64];
-        snprintf(key, sizeof key, "obstacles[%zu].motion.path", i);
-        get_path(r, s, key);
-    }
-    for (size_t i = 0; i < openings && r->status != SPH2D_NOMEM; ++i)
-        for (size_t kind = 0; kind <= SPH2D__HISTORIES && r->status != SPH2D_NOMEM; ++kind) {
-            char key[64];
-            sph2d__history_key(key, i, kind);
-            get_path(r, s, key);
-        }
+    scene->blocks = blocks;
+    scene->obstacles = make_items(r, "obstacles", "restitution", sizeof *scene->obstacles, &scene->obstacle_count);
+    scene->openings = make_items(r, "openings", "side", sizeof *scene->openings, &scene->opening_count);
+    sph2d__tables_each_list(scene, get_list, r);
 }

@@ -10,9 +10,8 @@
 #include "base/null.h"
 #include "files/convert.h"
 #include "files/document.h"
-#include "files/history_file.h"
 #include "files/overrides.h"
-#include "files/particles_file.h"
+#include "files/scene_tables.h"
 #include "files/start_file.h"
 
 struct sph2d_scene_file {
@@ -84,17 +83,13 @@ static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
     if (faults->errors > 0)
         return SPH2D_OK;
     if (!file->source->with_files) {
-        sph2d__starts_keep(scene, file->source->kept, file->source->kept_count);
-        sph2d_status kept = sph2d__motions_keep(scene, file->source->kept, file->source->kept_count, pool);
-        return kept != SPH2D_OK ? kept
-                                : sph2d__histories_keep(scene, file->source->kept, file->source->kept_count, pool);
+        const sph2d_scene *kept = file->source->kept;
+        if (kept)
+            sph2d__starts_keep(scene, kept);
+        return kept ? sph2d__tables_keep(scene, kept, pool) : SPH2D_OK;
     }
     size_t first = faults->report ? faults->report->count : 0;
-    sph2d_status status = sph2d__motions_read(scene, from, pool, faults->report);
-    if (status == SPH2D_OK)
-        status = sph2d__histories_read(scene, from, pool, faults->report);
-    if (status == SPH2D_OK && scene->particles.file)
-        status = sph2d__particles_read(scene, from, pool, faults->report);
+    sph2d_status status = sph2d__tables_read(scene, from, pool, faults->report);
     if (status == SPH2D_OK)
         status = sph2d__starts_read(scene, from, pool, faults->report);
     locate_files(file, first, faults->report);

@@ -4,17 +4,15 @@
 #ifndef SPH2D_FILES_SCENE_FILE_H
 #define SPH2D_FILES_SCENE_FILE_H
 
-#include "files/motion_file.h"
 #include "sph2d/io.h"
 
 /** The text of a scene, and where the files come from that it names. */
 typedef struct sph2d__scene_source {
     const char *text;
     size_t length;
-    const char *name; /**< in messages */
-    bool with_files;  /**< the files are read, or else: */
-    const sph2d__kept_path *kept;
-    size_t kept_count; /**< paths in place of their files; particles are not needed */
+    const char *name;        /**< in messages */
+    bool with_files;         /**< the files are read */
+    const sph2d_scene *kept; /**< or else has what they gave, but for particles, which are not needed; NULL: none has */
 } sph2d__scene_source;
 
 /** As sph2d_scene_file_parse(), for the public function `function`. */

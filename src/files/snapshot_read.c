@@ -54,13 +54,13 @@ static bool is_readable(sph2d__h5_reader *r, sph2d_snapshot *s)
 static void read_metadata(sph2d__h5_reader *r, sph2d_snapshot *s)
 {
     sph2d_snapshot_info *info = &s->info;
-    sph2d_scene scene;
-    sph2d__snapshot_get_parameters(r, &scene);
-    info->scene_name = scene.name;
-    info->domain = scene.domain;
-    info->boundary = scene.boundary;
-    info->spacing = scene.spacing;
-    info->frames = scene.run.frames;
+    const sph2d_scene *scene = &s->scene;
+    sph2d__snapshot_get_parameters(r, &s->scene);
+    info->scene_name = scene->name;
+    info->domain = scene->domain;
+    info->boundary = scene->boundary;
+    info->spacing = scene->spacing;
+    info->frames = scene->run.frames;
     info->method = sph2d__h5_get_text(r, SPH2D__GROUP_PARAMETERS, "method.name");
     info->code_version = sph2d__h5_get_text(r, SPH2D__GROUP_CODE, SPH2D__AT_CODE_VERSION);
     info->isa = sph2d__h5_get_text(r, SPH2D__GROUP_CODE, SPH2D__AT_ISA);
@@ -120,7 +120,7 @@ static sph2d_status read_snapshot(const char *path, bool checked, sph2d_snapshot
     if (r.status == SPH2D_OK && groups_are_here(&r) && is_readable(&r, s)) {
         read_metadata(&r, s);
         read_scene(&r, s);
-        sph2d__snapshot_get_paths(&r, s);
+        sph2d__snapshot_get_given(&r, &s->scene);
         sph2d__snapshot_get_arrays(&r, s);
     }
     sph2d__h5_reader_close(&r);

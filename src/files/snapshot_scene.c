@@ -37,11 +37,8 @@ sph2d_status sph2d_snapshot_scene(const sph2d_snapshot *snapshot, const sph2d_ov
         all[i] = snapshot->overrides[i];
     for (size_t i = 0; i < more_count; ++i)
         all[before + i] = more[i];
-    const sph2d__scene_source source = {.text = text,
-                                        .length = strlen(text),
-                                        .name = snapshot->scene_source,
-                                        .kept = snapshot->paths,
-                                        .kept_count = snapshot->path_count};
+    const sph2d__scene_source source = {
+        .text = text, .length = strlen(text), .name = snapshot->scene_source, .kept = &snapshot->scene};
     sph2d_status status = sph2d__scene_file_parse(&source, all, before + more_count, __func__, file, report);
     free(all);
     return status;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file start_file.c
- *  The starts of a scene that name files: which there are, what of a snapshot is taken, and what is kept to resume. */
+ *  The starts of a scene that name files: what of a snapshot is taken, and what is kept to resume. */
 #include "files/start_file.h"
 
 #include <math.h>
@@ -8,16 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "files/grid_file.h"
 #include "files/text.h"
 #include "sph2d/io.h"
-
-void sph2d__start_key(char key[64], size_t block)
-{
-    snprintf(key, 64, "start.top_speed");
-    if (block < SIZE_MAX)
-        snprintf(key, 64, "blocks[%zu].start.top_speed", block);
-}
 
 /** The start of block `i`, or of the scene behind them: the items were converted into the pool, which is writable. */
 static sph2d_start *start_of(sph2d_scene *scene, size_t i)
@@ -84,10 +76,32 @@ static sph2d_status read_snapshot(sph2d_scene *scene, sph2d_start *start, const 
     return status;
 }
 
-/* ---- any --------------------------------------------------------------------------------------------------------- */
+/** Reads the snapshot of start `i`. */
+static sph2d_status read_start(sph2d_scene *scene, size_t i, const char *from, sph2d__pool *pool, sph2d_report *report)
+{
+    sph2d_start *start = start_of(scene, i);
+    char key[64] = "start.snapshot";
+    if (i < scene->block_count)
+        snprintf(key, sizeof key, "blocks[%zu].start.snapshot", i);
+    const char *path = sph2d__pool_join(pool, from, start->snapshot.file);
+    if (!path)
+        return SPH2D_NOMEM;
+    size_t first = report ? report->count : 0;
+    sph2d_status status = read_snapshot(scene, start, path, pool, report);
+    sph2d__report_key(report, first, key);
+    return status;
+}
 
-/** Sets the largest speed of what was read, unless the scene gives it. */
-static void set_top_speed(sph2d_start *start)
+/* ---- speeds ------------------------------------------------------------------------------------------------------ */
+
+/** Whether the largest speed of a start is for a file to tell. */
+static bool wants_top_speed(const sph2d_start *start)
+{
+    return (start->table.file || start->snapshot.file) && start->top_speed == 0;
+}
+
+/** The largest speed of what was read. */
+static double top_speed(const sph2d_start *start)
 {
     const sph2d_grid *g = &start->table;
     const sph2d_cloud *cloud = &start->snapshot;
@@ -96,59 +110,29 @@ static void set_top_speed(sph2d_start *start)
         speed = fmax(speed, hypot(g->vx ? g->vx[k] : 0, g->vy ? g->vy[k] : 0));
     for (size_t k = 0; k < cloud->count; ++k)
         speed = fmax(speed, hypot(cloud->items[k].vx, cloud->items[k].vy));
-    if (start->top_speed == 0)
-        start->top_speed = speed;
-}
-
-/** Reads the files of start `i`. Of two the check will refuse one. */
-static sph2d_status read_start(sph2d_scene *scene, size_t i, const char *from, sph2d__pool *pool, sph2d_report *report)
-{
-    sph2d_start *start = start_of(scene, i);
-    char key[64] = "start";
-    if (i < scene->block_count)
-        snprintf(key, sizeof key, "blocks[%zu].start", i);
-    const char *name = start->table.file ? start->table.file : start->snapshot.file;
-    const char *path = sph2d__pool_join(pool, from, name);
-    if (!path)
-        return SPH2D_NOMEM;
-    size_t first = report ? report->count : 0;
-    sph2d_status status = start->table.file ? sph2d__grid_read(&start->table, path, pool, report)
-                                            : read_snapshot(scene, start, path, pool, report);
-    const size_t used = strlen(key);
-    snprintf(key + used, sizeof key - used, "%s", start->table.file ? ".table" : ".snapshot");
-    sph2d__report_key(report, first, key);
-    if (status == SPH2D_OK)
-        set_top_speed(start);
-    return status;
+    return speed;
 }
 
 sph2d_status sph2d__starts_read(sph2d_scene *scene, const char *from, sph2d__pool *pool, sph2d_report *report)
 {
     sph2d_status status = SPH2D_OK;
-    for (size_t i = 0; status == SPH2D_OK && i <= scene->block_count; ++i)
-        if (start_of(scene, i)->table.file || start_of(scene, i)->snapshot.file)
+    for (size_t i = 0; status == SPH2D_OK && i <= scene->block_count; ++i) {
+        sph2d_start *start = start_of(scene, i);
+        if (start->snapshot.file && !start->table.file) /* of two the check will refuse one */
             status = read_start(scene, i, from, pool, report);
+        if (wants_top_speed(start))
+            start->top_speed = top_speed(start);
+    }
     return status;
 }
 
-/** The number that was kept for a key; 0 for none. */
-static double kept_number(const sph2d__kept_path *numbers, size_t count, const char *key)
+void sph2d__starts_keep(sph2d_scene *scene, const sph2d_scene *kept)
 {
-    for (size_t k = 0; k < count; ++k)
-        if (numbers[k].width == 1 && numbers[k].count == 1 && strcmp(numbers[k].key, key) == 0)
-            return *(const double *)numbers[k].rows;
-    return 0;
-}
-
-void sph2d__starts_keep(sph2d_scene *scene, const sph2d__kept_path *numbers, size_t count)
-{
-    for (size_t i = 0; i <= scene->block_count; ++i) {
-        sph2d_start *start = start_of(scene, i);
-        char key[64];
-        sph2d__start_key(key, i < scene->block_count ? i : SIZE_MAX);
-        if ((start->table.file || start->snapshot.file) && start->top_speed == 0)
-            start->top_speed = kept_number(numbers, count, key);
-    }
+    for (size_t i = 0; i < scene->block_count && i < kept->block_count; ++i)
+        if (wants_top_speed(start_of(scene, i)))
+            start_of(scene, i)->top_speed = kept->blocks[i].start.top_speed;
+    if (wants_top_speed(&scene->start))
+        scene->start.top_speed = kept->start.top_speed;
     if (wants_sound_speed(scene))
-        scene->method.sound_speed = kept_number(numbers, count, SPH2D__SOUND_SPEED_KEY);
+        scene->method.sound_speed = kept->method.sound_speed;
 }
