@@ -44,68 +44,7 @@ HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
-ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-ports test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
-
-define install_packages
-with_module() { for p in $(PYTHONS); do ! "$$p" -c "import $$1" 2>/dev/null || return 0; done; return 1; }
-missing() {
-    command -v $(PKG_CONFIG) >/dev/null || echo pkgconf
-    echo '#include <stdio.h>' | $(CC) -E - >/dev/null 2>&1 || echo libc6-dev
-    test '$(OPENMP)' = 0 || echo '#include <omp.h>' | $(CC) -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
-    test -z '$(filter report report-full test test-full,$(MAKECMDGOALS))' || command -v gnuplot >/dev/null || echo gnuplot-nox
-    test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || for tool in Xvfb xdotool; do
-        command -v $$tool >/dev/null || echo $$tool | tr X x
-    done
-    test -z '$(filter test test-full,$(MAKECMDGOALS))' -o '$(RENDER)' = 0 || command -v ffmpeg >/dev/null || echo ffmpeg
-    test -z '$(filter test-slurm,$(MAKECMDGOALS))' || test "$$(id -u)" != 0 || command -v sbatch >/dev/null || printf 'slurm-wlm\nmunge\n'
-    test -z '$(filter test-full test-ports,$(MAKECMDGOALS))' || tests/ports/ports.sh --needs
-    test -z '$(filter web test-web,$(MAKECMDGOALS))' || command -v emcc >/dev/null ||
-        printf '%s\n' emscripten node-acorn xz-utils dpkg-dev ca-certificates
-    test -z '$(filter test-web,$(MAKECMDGOALS))' || command -v '$(or $(CHROMIUM),chromium)' >/dev/null || echo chromium
-    test -z '$(filter test test-full test-sanitize,$(MAKECMDGOALS))' || for module in numpy h5py; do
-        with_module $$module || echo python3-$$module
-    done
-    for pair in $(PACKAGES); do
-        $(PKG_CONFIG) --exists "$${pair%%=*}" 2>/dev/null || echo "$${pair#*=}" | tr + '\n'
-    done
-    for pair in $(HEADER_PACKAGES); do
-        echo "#include <$${pair%%=*}>" | $(CC) -E - >/dev/null 2>&1 || echo "$${pair#*=}"
-    done
-}
-# Mesa 25.1 dropped OSMesa: where Debian no longer has it, EGL alone will do.
-without_osmesa() { ! apt-cache show libosmesa6-dev >/dev/null 2>&1 && $(PKG_CONFIG) --exists egl 2>/dev/null; }
-stop() {
-    printf '%s\n' "$$1" "    apt install --no-install-recommends $$packages" >&2
-    exit 2
-}
-command -v $(firstword $(CC)) >/dev/null || {
-    echo 'sph2d: the compiler "$(firstword $(CC))" is not installed' >&2
-    exit 2
-}
-packages=$$(missing | tr '\n' ' ')
-test "$$packages" != 'libosmesa6-dev ' || ! without_osmesa || packages=
-test -n "$$packages" || exit 0
-if test "$$(id -u)" = 0; then root=; else root='sudo -n'; fi
-# Without NumPy the tests of the Python module are left out, without h5py and gnuplot those of recipes, without GLFW
-# there is no `play`, without a display no test of it, without ffmpeg none of films, without compilers for other machines
-# none of these: nobody is stopped for them.
-needed=$$(printf '%s\n' $$packages | grep -vxE 'python3-(numpy|h5py)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang') || true
-command -v apt-get >/dev/null && $$root true 2>/dev/null || test -n "$$needed" || exit 0
-command -v apt-get >/dev/null && $$root true 2>/dev/null ||
-    stop 'sph2d: packages are missing and cannot be installed from here. As root, run:'
-echo "Installing the packages that are missing (a minute or two): $$packages"
-mkdir -p '$(BUILD)'
-{
-    $$root apt-get -q update
-    apt-cache show libosmesa6-dev >/dev/null 2>&1 || packages=$$(echo "$$packages" | sed 's/libosmesa6-dev//')
-    $$root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=120 install \
-        --no-install-recommends $$packages
-} </dev/null >'$(BUILD)/packages.log' 2>&1 || test -z "$$needed" || {
-    tail -n 20 '$(BUILD)/packages.log' >&2
-    stop 'sph2d: the installation failed ($(BUILD)/packages.log). As root, run:'
-}
-endef
-export install_packages
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-variants test-ports test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
 
 # All processors, unless told otherwise or told to clean first.
 jobs = $(if $(or $(findstring -j,$(MAKEFLAGS)),$(filter clean,$(MAKECMDGOALS))),,-j"$$(nproc)")
@@ -113,7 +52,9 @@ jobs = $(if $(or $(findstring -j,$(MAKEFLAGS)),$(filter clean,$(MAKECMDGOALS))),
 $(MAKECMDGOALS): set-up-first
 	@:
 set-up-first:
-	@$(if $(filter skip,$(DEPS)),:,sh -c "$$install_packages")
+	@$(if $(filter skip,$(DEPS)),:,CC='$(CC)' PKG_CONFIG='$(PKG_CONFIG)' OPENMP='$(OPENMP)' RENDER='$(RENDER)' PYTHONS='$(PYTHONS)' \
+	    CHROMIUM='$(CHROMIUM)' BUILD='$(BUILD)' PACKAGES='$(PACKAGES)' HEADER_PACKAGES='$(HEADER_PACKAGES)' \
+	    .ci/packages.sh $(MAKECMDGOALS))
 	@$(MAKE) $(jobs) PACKAGES_CHECKED=1 $(MAKECMDGOALS)
 
 else
@@ -215,9 +156,9 @@ EXAMPLES := $(filter-out $(if $(GLFW),,examples/window.c),$(call buildable,$(sor
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
-SCRIPTS := .ci/run cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
+SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/symbols.sh tests/units.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/symbols.sh tests/units.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -427,24 +368,26 @@ demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing
 GOLDEN := $(if $(or $(SANITIZE),$(CLANG),$(CFLAGS)),,$(X86))
 # Calls are made to fail by the names that glibc has for them; sanitizers have their own.
 FAULTS := $(if $(SANITIZE),,$(if $(findstring linux-gnu,$(MACHINE)),$(addprefix $(BUILD)/tests/faults_,shim.so library)))
-test: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
-test: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
-test: export ASAN_OPTIONS ?= allocator_may_return_null=1
-test: override export CK_TIMEOUT_MULTIPLIER := $(shell echo $$(($(CK_TIMEOUT_MULTIPLIER) * $(if $(SANITIZE),5,1))))
-test: | $(filter demo test-sanitize,$(MAKECMDGOALS))
+test test-full: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
+test test-full: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
+test test-full: export ASAN_OPTIONS ?= allocator_may_return_null=1
+test test-full: override export CK_TIMEOUT_MULTIPLIER := $(shell echo $$(($(CK_TIMEOUT_MULTIPLIER) * $(if $(SANITIZE),5,1))))
+test test-full: | $(filter demo test-sanitize,$(MAKECMDGOALS))
+test-full: | $(filter test,$(MAKECMDGOALS))
 # A stage that fails is written down and the next one begins; the last line of a recipe tells all that failed, each by the
 # command that runs it again. What is not built, or not in a list, stops at once.
 FAILED = $(BUILD)/tests/failed-$@
 first_stage = @mkdir -p $(dir $(FAILED)) && rm -f $(FAILED)
 stage = $(hush)($(1)) || printf '    %s\n' '$(subst ','\'',$(1))' >>$(FAILED)
 last_stage = @test ! -e $(FAILED) || { echo 'make $@: failed:' && cat $(FAILED) && exit 1; } >&2
-test: $(if $(WITH_RENDER),$(BUILD)/tests/frames) $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(FUZZ_BIN) $(if $(GOLDEN),$(BUILD)/tests/golden) $(FAULTS)
 # Python is not built with sanitizers: gcc's come before all other libraries, clang's are none.
 PYTHON_SANITIZED = $(if $(SANITIZE),LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) \
     $$($(CC) -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0)
 WITH_NUMPY = $(firstword $(shell for p in $(PYTHONS); do "$$p" -c 'import numpy' 2>/dev/null && echo "$$p"; done))
-test: $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so)
-test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/tests/variants $(EXAMPLE_BIN) ## the tests (installs missing packages)
+# Two tiers: what every change must pass, within minutes, and what takes longer.
+TESTED := $(BUILD)/sph2d $(BUILD)/tests/check_all $(if $(GOLDEN),$(BUILD)/tests/golden) $(FUZZ_BIN) $(FAULTS) \
+    $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so)
+test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
 	    grep -q "X($$s)" tests/suites.h || { echo "tests/suites.h lacks $$s"; exit 1; }; done
 	@for f in $$(sed -n '/^SPH2D_API/,/;/p' include/sph2d/*.h | tr '\n' ' ' | tr ';' '\n' | \
@@ -453,36 +396,48 @@ test: $(BUILD)/sph2d $(BUILD)/tests/check_all $(BUILD)/tests/bench $(BUILD)/test
 	$(first_stage)
 	$(if $(SANITIZE),,$(call stage,tests/symbols.sh $(BUILD)/libsph2d.so $(OPENMP)))
 	$(call stage,tests/circles.sh $(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(CLI_OBJ))
-	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all)
+	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all -j "$$(nproc)" --short)
 	$(if $(and $(SANITIZE),$(CLANG)),,$(call stage,SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
 	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD)))
+	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
+	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
+	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
+	$(last_stage)
+
+# Random scenes have seeds of their own each time: the second it is.
+FRESH := $(shell date +%s)
+test-full: $(TESTED) $(BUILD)/tests/bench $(BUILD)/tests/variants $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases \
+    $(if $(WITH_RENDER),$(BUILD)/tests/frames) ## the rest: long runs of physics, random scenes, kills, resumed runs (15 minutes)
+	$(first_stage)
+	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all -j "$$(nproc)" --long)
 	$(call stage,tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes)
 	$(call stage,$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv)
 	$(call stage,$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt)
 	$(if $(WITH_RENDER),$(call stage,$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt))
 	$(call stage,tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt)
 	$(call stage,tests/strangers/liars.sh $(BUILD)/sph2d $(BUILD)/tests/strangers $(BUILD)/tests/liars)
-	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(call stage,$(STRANGERS_KNOWN) --seeds 1..$(if $(SPH2D_TEST_FULL),200,20))
 	$(call stage,$(STRANGERS_KNOWN) --seeds 1001..$(if $(SPH2D_TEST_FULL),1100,1010))
 	$(call stage,$(STRANGERS_KNOWN) --seeds 2001..$(if $(SPH2D_TEST_FULL),2100,2010))
 	$(call stage,$(STRANGERS_KNOWN) --seeds 3001..$(if $(SPH2D_TEST_FULL),3060,3010))
 	$(call stage,$(STRANGERS_KNOWN) --seeds 4001..$(if $(SPH2D_TEST_FULL),4100,4020))
+	$(call stage,$(STRANGERS) --jobs "$$(nproc)" --seeds $(FRESH)..$$(($(FRESH) + 9)) --set 'method={name: wcsph}')
 	$(call stage,$(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),200,12))
 	$(call stage,$(RESTARTS) "$$(nproc)" 1001..$(if $(SPH2D_TEST_FULL),1100,1006))
 	$(call stage,$(RESTARTS) "$$(nproc)" 4001..$(if $(SPH2D_TEST_FULL),4100,4006))
 	$(call stage,$(RESTARTS) "$$(nproc)" 2005..$(if $(SPH2D_TEST_FULL),2100,2015))
 	$(call stage,$(RESTARTS) "$$(nproc)" 3001..$(if $(SPH2D_TEST_FULL),3060,3006))
+	$(call stage,$(RESTARTS) "$$(nproc)" $(FRESH)..$$(($(FRESH) + 5)))
 	$(call stage,$(RESTARTS) "$$(nproc)" tests/restarts/scenes)
 	$(call stage,$(KILLS) $(if $(SPH2D_TEST_FULL),500,10))
 	$(call stage,$(HARD_CASES) --short $(if $(GOLDEN),,A) >$(BUILD)/tests/hard_cases.md || \
 	    { grep -E 'MISSED|WORSE|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; })
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)"))
-	$(call stage,tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
+	$(call stage,CK_INCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units-long "$$(nproc)")
 	$(last_stage)
 
 test-sanitize: ## the tests under AddressSanitizer and UBSan, in BUILD/sanitize
-	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test
+	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined test test-full
 
 FUZZ_SECONDS ?= 1800
 test-fuzz: ## hostile files under the sanitizers, FUZZ_SECONDS=1800 for each of six readers
@@ -520,22 +475,21 @@ test-ports: $(BUILD)/tests/core_scenes ## the core for aarch64, 32-bit x86, musl
 test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)
 	$(hush)tests/mutants.sh
 
-# The long tests last, so that their summary closes the output.
 OTHER_CC := $(if $(CLANG),gcc,clang)
 # Where the compiler's own flags widen vectors, even the baseline's loops have four lanes.
-test-full: all check-headers check-symbols check-install ## the long tests, in every variant of the build
+test-variants: all check-headers check-symbols check-install ## both tiers in every variant of the build, with more seeds (hours)
 	$(first_stage)
-	$(call stage,$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test)
-	$(call stage,$(MAKE) BUILD=$(BUILD)/no-render RENDER=0 test)
-	$(if $(X86),$(call stage,$(MAKE) BUILD=$(BUILD)/wide CFLAGS='$(CFLAGS) -mavx2 -mfma' test))
+	$(call stage,$(MAKE) BUILD=$(BUILD)/no-openmp OPENMP=0 test test-full)
+	$(call stage,$(MAKE) BUILD=$(BUILD)/no-render RENDER=0 test test-full)
+	$(if $(X86),$(call stage,$(MAKE) BUILD=$(BUILD)/wide CFLAGS='$(CFLAGS) -mavx2 -mfma' test test-full))
 	$(hush)echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1 || echo '$(OTHER_CC) with OpenMP: not installed'
 	$(call stage,! echo '#include <omp.h>' | $(OTHER_CC) -fopenmp -E - >/dev/null 2>&1 || \
-	    $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test)
+	    $(MAKE) BUILD=$(BUILD)/$(OTHER_CC) CC=$(OTHER_CC) test test-full)
 	$(call stage,$(MAKE) test-sanitize)
 	$(call stage,$(MAKE) test-ports)
 	$(call stage,$(MAKE) test-foretold)
 	$(call stage,tests/adding.sh $(BUILD)/adding)
-	$(call stage,SPH2D_TEST_FULL=1 $(MAKE) test)
+	$(call stage,SPH2D_TEST_FULL=1 $(MAKE) test test-full)
 	$(last_stage)
 
 golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that says why the numbers moved
@@ -778,7 +732,7 @@ help: ## this list
 	    '  CK_TIMEOUT_MULTIPLIER=5 (limits of time of tests, for a busy machine)'
 
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
-    test-valgrind test-ports test-foretold test-mutants test-full bench bench-command strangers strangers-dozen test-restarts \
+    test-valgrind test-ports test-foretold test-mutants test-full test-variants bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
     coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs gallery check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE

@@ -12,6 +12,14 @@
 #include "time_limits.h"
 
 /** Knuth's linear congruential generator (MMIX), upper bits. */
+TCase *test_long(Suite *suite)
+{
+    TCase *tests = tcase_create("long");
+    tcase_set_tags(tests, "long");
+    suite_add_tcase(suite, tests);
+    return tests;
+}
+
 double test_random(uint64_t *state, double low, double high)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;

@@ -11,6 +11,9 @@
 
 #define TEST_PI 3.14159265358979323846
 
+/** A test case of the suite for tests that take more than a second or two, which `make test` leaves to `make test-full`. */
+TCase *test_long(Suite *suite);
+
 /** A uniform number in [low, high); *state is any start value. */
 double test_random(uint64_t *state, double low, double high);
 

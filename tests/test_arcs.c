@@ -351,9 +351,10 @@ Suite *suite_arcs(void)
     tcase_add_test(walls, layers_of_a_bowl_are_outside);
     tcase_add_loop_test(walls, a_bowl_holds_water, 0, 2);
     tcase_add_loop_test(walls, layers_inside_an_arc_and_on_both_sides, 0, 2);
-    tcase_add_loop_test(walls, nothing_passes_an_arc_that_turns, 0, 5);
     tcase_add_loop_test(walls, what_cannot_work_is_refused, 0, REFUSED);
     suite_add_tcase(suite, geometry);
     suite_add_tcase(suite, walls);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, nothing_passes_an_arc_that_turns, 0, 5);
     return suite;
 }

@@ -127,9 +127,10 @@ Suite *suite_background(void)
 {
     Suite *suite = suite_create("background");
     TCase *cases = tcase_create("background");
-    tcase_add_test(cases, it_looks_as_drawn_on_what_is_behind);
     tcase_add_test(cases, texts_have_halos);
     tcase_add_test(cases, files_have_alpha);
     suite_add_tcase(suite, cases);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, it_looks_as_drawn_on_what_is_behind);
     return suite;
 }

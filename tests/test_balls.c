@@ -471,8 +471,9 @@ Suite *suite_balls(void)
     tcase_add_test(sums, fewer_bits_are_less_exact);
     tcase_add_test(sums, depth_is_that_of_wide_balls);
     tcase_add_test(sums, walls_count_as_filled);
-    tcase_add_test(sums, kinds_hold_for_every_pixel);
     suite_add_tcase(suite, sums);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, kinds_hold_for_every_pixel);
     TCase *pictures = tcase_create("pictures");
     tcase_add_test(pictures, pictures_do_not_depend_on_those_before);
     tcase_add_test(pictures, moved_water_looks_the_same);

@@ -387,15 +387,17 @@ Suite *suite_barrier(void)
     tcase_add_test(tests, nothing_in_the_way_changes_nothing);
     tcase_add_test(tests, a_motion_into_a_wall_stops_at_the_clearance_and_slides);
     tcase_add_test(tests, the_first_of_several_walls_counts);
-    tcase_add_loop_test(tests, one_wall_is_never_crossed, 0, 3);
     tcase_add_loop_test(tests, no_motion_leaves_its_cell_of_crossing_lines, 0, 12);
     tcase_add_loop_test(tests, a_narrow_corner_holds_from_within_the_clearance, 0, 4);
     tcase_add_loop_test(tests, nothing_gets_into_or_out_of_a_star, 0, 4);
-    tcase_add_test(tests, what_is_far_together_is_far_alone);
-    tcase_add_test(tests, walls_hold_against_what_comes_from_far_away);
     tcase_add_test(tests, sliding_is_free_over_joints);
     tcase_add_test(tests, a_corner_takes_the_whole_motion);
     tcase_add_loop_test(tests, sliding_goes_on_beyond_a_convex_corner, 0, 7);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, start, finish);
+    tcase_add_loop_test(slow, one_wall_is_never_crossed, 0, 3);
+    tcase_add_test(slow, what_is_far_together_is_far_alone);
+    tcase_add_test(slow, walls_hold_against_what_comes_from_far_away);
     return suite;
 }

@@ -728,10 +728,8 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, a_body_on_a_spring_swings_with_its_period);
     tcase_add_test(tests, springs_stretched_at_the_start_count_as_speed);
     tcase_add_test(tests, motors_turn_and_brake_with_their_torque);
-    tcase_add_loop_test(tests, what_the_liquid_loses_the_body_gains, 0, KINDS);
     tcase_add_loop_test(tests, impulses_on_a_body_are_what_it_gains, 0, KINDS);
     tcase_add_test(tests, a_body_that_hits_liquid_at_the_start_makes_no_energy);
-    tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, KINDS);
     tcase_add_loop_test(tests, resuming_in_a_tank_that_turns_changes_no_bit, 0, 2);
     tcase_add_loop_test(tests, particles_that_strike_a_light_body_make_no_energy, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_test(tests, liquid_that_strikes_a_light_raft_makes_no_energy);
@@ -747,5 +745,8 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, a_probe_of_a_body_says_what_is_none);
     tcase_add_test(tests, small_and_odd_bodies_are_warned_of);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, what_the_liquid_loses_the_body_gains, 0, KINDS);
+    tcase_add_loop_test(slow, threads_and_resuming_change_no_bit, 0, KINDS);
     return suite;
 }

@@ -176,7 +176,9 @@ Suite *suite_closed_flow(void)
     tcase_add_test(tests, the_gap_between_the_outer_bank_and_an_outlet_is_no_throat);
     tcase_add_test(tests, other_scenes_have_no_throat);
     tcase_add_test(tests, slowing_liquid_is_pulled_by_its_length);
-    tcase_add_test(tests, no_voids_are_left_behind_plates);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, lay_duct, NULL);
+    tcase_add_test(slow, no_voids_are_left_behind_plates);
     return suite;
 }

@@ -144,9 +144,10 @@ Suite *suite_conservation(void)
     Suite *suite = suite_create("conservation");
     TCase *tests = tcase_create("conservation");
     tcase_add_test(tests, momentum_is_kept_to_round_off);
-    tcase_add_test(tests, steps_are_better_than_of_first_order);
     tcase_add_test(tests, a_central_force_pulls);
     tcase_add_test(tests, a_splash_gains_no_energy);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, steps_are_better_than_of_first_order);
     return suite;
 }

@@ -161,10 +161,11 @@ Suite *suite_contacts_pile(void)
 {
     Suite *suite = suite_create("contacts_pile");
     TCase *tests = tcase_create("contacts_pile");
-    tcase_add_test(tests, pile);
     tcase_add_test(tests, same_bits);
     tcase_add_test(tests, momentum);
     tcase_add_test(tests, pieces);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, pile);
     return suite;
 }

@@ -200,11 +200,12 @@ Suite *suite_edit(void)
 {
     Suite *suite = suite_create("edit");
     TCase *cases = tcase_create("edit");
-    tcase_add_loop_test(cases, liquid_is_added_with_its_energy, 0, METHODS);
     tcase_add_test(cases, liquid_is_added_only_where_there_is_room);
-    tcase_add_loop_test(cases, liquid_is_removed_with_its_energy, 0, METHODS);
     tcase_add_loop_test(cases, an_edited_run_is_resumed, 0, METHODS);
     tcase_add_test(cases, added_drops_have_surfaces);
     suite_add_tcase(suite, cases);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, liquid_is_added_with_its_energy, 0, METHODS);
+    tcase_add_loop_test(slow, liquid_is_removed_with_its_energy, 0, METHODS);
     return suite;
 }

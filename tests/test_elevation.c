@@ -231,12 +231,13 @@ Suite *suite_elevation(void)
 {
     Suite *suite = suite_create("elevation");
     TCase *tests = tcase_create("elevation");
-    tcase_add_loop_test(tests, a_flat_surface_is_where_it_is, 0, 4);
     tcase_add_test(tests, a_sloping_surface_is_where_it_is);
     tcase_add_test(tests, the_highest_surface_counts);
     tcase_add_test(tests, without_liquid_there_is_no_surface);
-    tcase_add_loop_test(tests, still_liquid_is_as_high_beside_walls_as_elsewhere, 0, SLOPES);
-    tcase_add_loop_test(tests, still_liquid_presses_on_walls_with_its_weight, 0, SLOPES);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, a_flat_surface_is_where_it_is, 0, 4);
+    tcase_add_loop_test(slow, still_liquid_is_as_high_beside_walls_as_elsewhere, 0, SLOPES);
+    tcase_add_loop_test(slow, still_liquid_presses_on_walls_with_its_weight, 0, SLOPES);
     return suite;
 }

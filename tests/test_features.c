@@ -294,6 +294,7 @@ Suite *suite_features(void)
     Suite *suite = suite_create("features");
     TCase *cases = tcase_create("features");
     tcase_add_loop_test(cases, a_cell_of_the_table, 0, FEATURES * SOLVERS);
+    tcase_set_tags(cases, "long");
     suite_add_tcase(suite, cases);
     return suite;
 }

@@ -152,7 +152,8 @@ Suite *suite_fitted_wall_forces(void)
     TCase *tests = tcase_create("fitted_wall_forces");
     tcase_add_loop_test(tests, stress_on_walls_is_that_of_the_flow, 0, 2);
     tcase_add_test(tests, pressure_on_walls_is_that_of_least_squares);
-    tcase_add_test(tests, forces_on_a_flow_balance_its_weight);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, forces_on_a_flow_balance_its_weight);
     return suite;
 }

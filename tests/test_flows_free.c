@@ -215,7 +215,6 @@ Suite *suite_flows_free(void)
     TCase *tests = tcase_create("free");
     tcase_add_loop_test(tests, axes_of_the_ellipse, 0, ELLIPSES);
     tcase_add_test(tests, ellipse_follows_the_table);
-    tcase_add_test(tests, ellipse_swings_with_its_period);
     tcase_add_test(tests, ellipse_at_rest_stays_a_disc);
     tcase_add_test(tests, rotation);
     tcase_add_test(tests, patch);
@@ -223,5 +222,7 @@ Suite *suite_flows_free(void)
     tcase_add_test(tests, drop);
     tcase_add_test(tests, drop_swings);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, ellipse_swings_with_its_period);
     return suite;
 }

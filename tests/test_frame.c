@@ -273,7 +273,6 @@ Suite *suite_frame(void)
     TCase *tests = tcase_create("frame");
     tcase_add_loop_test(tests, a_particle_flies_on_in_a_tank_that_moves, 0, METHODS);
     tcase_add_loop_test(tests, gravity_follows_its_path, 0, METHODS);
-    tcase_add_loop_test(tests, a_tank_that_pitches_balances_energy, 0, METHODS);
     tcase_add_loop_test(tests, a_run_in_a_moving_tank_goes_on_from_its_state_bit_by_bit, 0, METHODS);
     tcase_add_test(tests, the_length_of_a_run_does_not_change_its_sound_speed);
     tcase_add_test(tests, the_largest_gravity_and_tilt_are_found);
@@ -281,5 +280,7 @@ Suite *suite_frame(void)
     tcase_add_test(tests, a_tank_that_jumps_is_refused);
     tcase_add_test(tests, a_tank_that_moves_already_is_warned_of);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, a_tank_that_pitches_balances_energy, 0, METHODS);
     return suite;
 }

@@ -303,8 +303,9 @@ Suite *suite_friction(void)
     tcase_add_loop_test(flows, poiseuille_slips_by_the_slip_length, 0, 2);
     tcase_add_test(flows, walls_tell_the_force_that_liquid_gets);
     tcase_add_loop_test(flows, liquid_at_rest_feels_nothing, 0, 2);
-    tcase_add_test(flows, threads_do_not_matter);
     suite_add_tcase(suite, law);
     suite_add_tcase(suite, flows);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, threads_do_not_matter);
     return suite;
 }

@@ -723,19 +723,21 @@ Suite *suite_hybrid(void)
     tcase_add_test(walls, a_step_is_refused_in_which_liquid_falls_further_than_it_looks);
     tcase_add_test(walls, a_source_fills_what_was_empty);
     tcase_add_loop_test(walls, a_jet_leaves_its_source_at_its_speed, 0, 3);
-    tcase_add_loop_test(bodies, a_box_floats_by_its_weight, 0, 5);
     tcase_add_test(bodies, a_ball_leaves_the_floor);
-    tcase_add_loop_test(bodies, bodies_of_any_mass_are_stable, 0, 4);
     tcase_add_test(walls, a_thin_wall_holds_a_tank);
     tcase_add_loop_test(solver, the_solver_converges, 0, 2);
     tcase_add_test(solver, the_grid_has_no_divergence_left);
     tcase_add_test(solver, all_that_falls_is_on_the_grid);
-    tcase_add_test(bits, the_same_bits);
     tcase_add_loop_test(bits, what_it_lacks_is_refused, 0, 4);
     suite_add_tcase(suite, motions);
     suite_add_tcase(suite, walls);
     suite_add_tcase(suite, bodies);
+    TCase *long_bodies = test_long(suite);
+    tcase_add_loop_test(long_bodies, a_box_floats_by_its_weight, 0, 5);
+    tcase_add_loop_test(long_bodies, bodies_of_any_mass_are_stable, 0, 4);
     suite_add_tcase(suite, solver);
     suite_add_tcase(suite, bits);
+    TCase *long_bits = test_long(suite);
+    tcase_add_test(long_bits, the_same_bits);
     return suite;
 }

@@ -204,11 +204,13 @@ Suite *suite_impacts(void)
     Suite *suite = suite_create("impacts");
     TCase *cases = tcase_create("impacts");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
-    tcase_add_loop_test(cases, a_drop_falls_freely_and_splashes_no_faster_than_it_came, 0, 2);
-    tcase_add_loop_test(cases, no_jet_passes_a_thin_wall, 0, TARGETS * KINDS);
     tcase_add_loop_test(cases, liquid_inside_the_floor_is_let_out_gently, 0, 2);
     tcase_add_loop_test(cases, a_source_into_a_full_box_finds_no_room, 0, 2);
     tcase_add_loop_test(cases, what_comes_and_goes_is_pressed_like_the_rest, 0, 2);
     suite_add_tcase(suite, cases);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, NULL, tank_finish);
+    tcase_add_loop_test(slow, a_drop_falls_freely_and_splashes_no_faster_than_it_came, 0, 2);
+    tcase_add_loop_test(slow, no_jet_passes_a_thin_wall, 0, TARGETS * KINDS);
     return suite;
 }

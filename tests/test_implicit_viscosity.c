@@ -294,11 +294,12 @@ Suite *suite_implicit_viscosity(void)
     tcase_add_test(test, a_steady_flow_does_not_depend_on_the_step);
     tcase_add_test(test, shear_decays_by_the_law);
     tcase_add_test(test, a_disc_goes_on_turning);
-    tcase_add_test(test, a_sliding_wall_works);
     tcase_add_test(test, other_laws_of_viscosity);
-    tcase_add_loop_test(test, a_column_that_collapses_gets_no_energy, 0, 2);
-    tcase_add_test(test, poured_honey_keeps_its_volume);
-    tcase_add_test(test, any_number_of_threads);
     suite_add_tcase(suite, test);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, a_sliding_wall_works);
+    tcase_add_loop_test(slow, a_column_that_collapses_gets_no_energy, 0, 2);
+    tcase_add_test(slow, poured_honey_keeps_its_volume);
+    tcase_add_test(slow, any_number_of_threads);
     return suite;
 }

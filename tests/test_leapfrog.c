@@ -332,8 +332,9 @@ Suite *suite_leapfrog(void)
     tcase_add_test(tests, liquid_follows_the_staggered_leapfrog);
     tcase_add_test(tests, time_runs_backwards);
     tcase_add_loop_test(tests, second_order_for_forces_of_position, 0, 2);
-    tcase_add_loop_test(tests, second_order_with_viscosity, 0, 2);
     tcase_add_test(tests, viscosity_drags);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, second_order_with_viscosity, 0, 2);
     return suite;
 }

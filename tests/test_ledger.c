@@ -400,10 +400,8 @@ Suite *suite_ledger(void)
     Suite *suite = suite_create("ledger");
     TCase *cases = tcase_create("ledger");
     tcase_add_loop_test(cases, viscosity_takes_what_vortices_lose, 0, 2);
-    tcase_add_test(cases, what_sound_loses_is_known);
     tcase_add_loop_test(cases, a_wall_at_rest_takes_what_it_stops, 0, 2);
     tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 2);
-    tcase_add_loop_test(cases, moving_walls_bring_what_liquid_gains, 0, 3);
     tcase_add_loop_test(cases, forces_bring_what_falls_gain, 0, 3);
     tcase_add_test(cases, drains_take_elastic_energy_along);
     tcase_add_test(cases, springs_hold_what_they_stop);
@@ -411,5 +409,8 @@ Suite *suite_ledger(void)
     tcase_add_test(cases, samples_follow_what_friction_does);
     tcase_add_loop_test(cases, energy_from_nothing_stops_every_method, 0, 8);
     suite_add_tcase(suite, cases);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, what_sound_loses_is_known);
+    tcase_add_loop_test(slow, moving_walls_bring_what_liquid_gains, 0, 3);
     return suite;
 }

@@ -178,9 +178,10 @@ Suite *suite_ledger_pressure(void)
     TCase *cases = tcase_create("ledger_pressure");
     tcase_add_loop_test(cases, a_swing_keeps_what_its_steps_keep, 0, 2);
     tcase_add_loop_test(cases, a_drop_that_rounds_itself_makes_no_energy, 0, 2);
-    tcase_add_loop_test(cases, pressures_take_what_impacts_lose, 0, 6);
     tcase_add_loop_test(cases, what_pressures_give_is_not_booked, 0, 1);
     tcase_add_loop_test(cases, pressure_holds_elastic_energy, 0, 1);
     suite_add_tcase(suite, cases);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, pressures_take_what_impacts_lose, 0, 6);
     return suite;
 }

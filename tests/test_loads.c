@@ -398,15 +398,16 @@ Suite *suite_loads(void)
     Suite *suite = suite_create("loads");
     TCase *tests = tcase_create("loads");
     const int count = sizeof kinds / sizeof *kinds;
-    tcase_add_loop_test(tests, forces_are_the_change_of_momentum, 0, count);
     tcase_add_test(tests, a_stop_is_an_impulse_at_its_place);
     tcase_add_loop_test(tests, a_column_weighs_on_its_floor_and_leans_on_its_sides, 0, 4);
     tcase_add_test(tests, torque_is_about_a_point_that_moves_with_the_wall);
     tcase_add_loop_test(tests, work_is_that_of_the_forces, 0, 3);
-    tcase_add_loop_test(tests, loads_go_on_after_a_resume_and_on_any_threads, 0, count);
     tcase_add_loop_test(tests, a_scene_without_such_probes_has_the_load_on_all_walls_alone, 0, 2);
     tcase_add_test(tests, walls_that_are_not_there_are_refused);
     tcase_add_test(tests, power_of_a_mill_is_rate_times_torque);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, forces_are_the_change_of_momentum, 0, count);
+    tcase_add_loop_test(slow, loads_go_on_after_a_resume_and_on_any_threads, 0, count);
     return suite;
 }

@@ -407,20 +407,21 @@ Suite *suite_open_channels(void)
 {
     Suite *suite = suite_create("open_channels");
     TCase *test = tcase_create("open_channels");
-    tcase_add_test(test, liquid_at_its_level_stays_at_rest);
-    tcase_add_test(test, a_head_outside_drives_as_torricelli_says);
-    tcase_add_test(test, a_level_lets_in_critical_flow);
-    tcase_add_test(test, an_opening_in_the_floor_has_the_pressure_of_its_level);
     tcase_add_test(test, a_level_without_gravity_is_no_pressure);
-    tcase_add_test(test, beyond_a_level_pressure_is_that_of_liquid_at_rest);
-    tcase_add_test(test, a_wave_leaves_nothing_above_the_level);
-    tcase_add_test(test, a_flow_rate_has_the_depth_of_the_liquid_before_it);
-    tcase_add_test(test, a_flow_rate_follows_what_comes_from_inside);
-    tcase_add_test(test, onto_a_dry_bed_a_flow_is_critical);
-    tcase_add_test(test, a_history_is_straight_lines);
-    tcase_add_test(test, a_channel_follows_its_level);
     tcase_add_test(test, threads_and_resumed_runs_give_the_same_bits);
     tcase_add_loop_test(test, bad_openings_are_refused, 0, FAULTS);
     suite_add_tcase(suite, test);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, liquid_at_its_level_stays_at_rest);
+    tcase_add_test(slow, a_head_outside_drives_as_torricelli_says);
+    tcase_add_test(slow, a_level_lets_in_critical_flow);
+    tcase_add_test(slow, an_opening_in_the_floor_has_the_pressure_of_its_level);
+    tcase_add_test(slow, beyond_a_level_pressure_is_that_of_liquid_at_rest);
+    tcase_add_test(slow, a_wave_leaves_nothing_above_the_level);
+    tcase_add_test(slow, a_flow_rate_has_the_depth_of_the_liquid_before_it);
+    tcase_add_test(slow, a_flow_rate_follows_what_comes_from_inside);
+    tcase_add_test(slow, onto_a_dry_bed_a_flow_is_critical);
+    tcase_add_test(slow, a_history_is_straight_lines);
+    tcase_add_test(slow, a_channel_follows_its_level);
     return suite;
 }

@@ -307,15 +307,16 @@ Suite *suite_openings(void)
 {
     Suite *suite = suite_create("openings");
     TCase *test = tcase_create("openings");
-    tcase_add_test(test, a_stream_stays_a_lattice);
-    tcase_add_test(test, disorder_leaves_with_the_stream);
-    tcase_add_test(test, a_stream_starts_from_rest);
-    tcase_add_loop_test(test, flow_between_plates_keeps_its_parabola, 0, 2);
     tcase_add_test(test, a_turbulent_profile_is_the_power_law);
-    tcase_add_test(test, a_velocity_over_place_and_time_is_the_cubic_of_its_points);
     tcase_add_loop_test(test, points_that_make_no_profile_are_refused, 0, 8);
     tcase_add_loop_test(test, sound_leaves, 0, 3);
     tcase_add_loop_test(test, threads_and_resumed_runs_give_the_same_bits, 0, 2);
     suite_add_tcase(suite, test);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, a_stream_stays_a_lattice);
+    tcase_add_test(slow, disorder_leaves_with_the_stream);
+    tcase_add_test(slow, a_stream_starts_from_rest);
+    tcase_add_loop_test(slow, flow_between_plates_keeps_its_parabola, 0, 2);
+    tcase_add_test(slow, a_velocity_over_place_and_time_is_the_cubic_of_its_points);
     return suite;
 }

@@ -222,13 +222,14 @@ Suite *suite_openings_around(void)
 {
     Suite *suite = suite_create("openings_around");
     TCase *test = tcase_create("openings_around");
-    tcase_add_test(test, a_tank_with_its_own_pressure_at_a_side_stays_at_rest);
-    tcase_add_test(test, a_tank_drains_as_torricelli_says);
     tcase_add_test(test, a_jet_fills_an_empty_tank);
-    tcase_add_test(test, volume_and_level_are_those_of_the_domain);
-    tcase_add_test(test, no_void_stays_behind_a_cylinder);
-    tcase_add_test(test, no_void_stays_behind_a_corner);
-    tcase_add_loop_test(test, a_box_on_the_floor_feels_the_pressure, 0, 2);
     suite_add_tcase(suite, test);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, a_tank_with_its_own_pressure_at_a_side_stays_at_rest);
+    tcase_add_test(slow, a_tank_drains_as_torricelli_says);
+    tcase_add_test(slow, volume_and_level_are_those_of_the_domain);
+    tcase_add_test(slow, no_void_stays_behind_a_cylinder);
+    tcase_add_test(slow, no_void_stays_behind_a_corner);
+    tcase_add_loop_test(slow, a_box_on_the_floor_feels_the_pressure, 0, 2);
     return suite;
 }

@@ -324,15 +324,16 @@ Suite *suite_outputs(void)
     Suite *suite = suite_create("outputs");
     TCase *tests = tcase_create("outputs");
     tcase_add_test(tests, rates_tell_interval_and_due_times);
-    tcase_add_test(tests, outputs_fall_due_on_time);
-    tcase_add_test(tests, each_output_has_its_own_clock);
     tcase_add_test(tests, probes_give_their_columns);
     tcase_add_test(tests, a_speed_probe_weighs_with_a_kernel);
     tcase_add_test(tests, the_summary_counts_steps);
     tcase_add_test(tests, compression_is_of_density_over_rest);
     tcase_add_test(tests, one_in_a_hundred_is_compressed_more);
-    tcase_add_loop_test(tests, the_mean_compression_leaves_out_impacts, 0, 2);
     tcase_add_loop_test(tests, a_profile_tells_where_time_went, 0, METHODS);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_test(slow, outputs_fall_due_on_time);
+    tcase_add_test(slow, each_output_has_its_own_clock);
+    tcase_add_loop_test(slow, the_mean_compression_leaves_out_impacts, 0, 2);
     return suite;
 }

@@ -235,7 +235,6 @@ Suite *suite_packing(void)
     Suite *suite = suite_create("packing");
     TCase *tests = tcase_create("packing");
     tcase_add_checked_fixture(tests, packed_start, NULL);
-    tcase_add_loop_test(tests, wedges_are_filled, 0, 6);
     tcase_add_loop_test(tests, discs_of_any_radius_are_filled, 0, 12);
     tcase_add_loop_test(tests, boxes_of_any_width_are_filled, 0, 5);
     tcase_add_loop_test(tests, liquid_around_a_solid_fills_the_rest, 0, 4);
@@ -246,5 +245,8 @@ Suite *suite_packing(void)
     tcase_add_test(tests, far_from_a_wall_that_takes_places_the_lattice_stays);
     tcase_add_test(tests, a_box_that_nearly_fits_is_stretched);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, packed_start, NULL);
+    tcase_add_loop_test(slow, wedges_are_filled, 0, 6);
     return suite;
 }

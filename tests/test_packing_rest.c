@@ -246,9 +246,11 @@ Suite *suite_packing_rest(void)
     tcase_add_loop_test(tests, a_gap_between_liquid_and_a_wall_is_nobodys, 0, 3);
     tcase_add_test(tests, packed_places_stay_out_of_springs);
     tcase_add_test(tests, packed_places_are_the_same_for_any_threads);
-    tcase_add_loop_test(tests, packed_liquid_at_rest_starts_quietly, 0, 4);
-    tcase_add_loop_test(tests, liquid_around_sharp_corners_comes_to_rest, 0, 3);
     tcase_add_test(tests, a_packing_without_memory_is_no_harm);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, packed_start, NULL);
+    tcase_add_loop_test(slow, packed_liquid_at_rest_starts_quietly, 0, 4);
+    tcase_add_loop_test(slow, liquid_around_sharp_corners_comes_to_rest, 0, 3);
     return suite;
 }

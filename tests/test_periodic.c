@@ -129,7 +129,8 @@ Suite *suite_periodic(void)
     TCase *tests = tcase_create("periodic");
     tcase_add_test(tests, coordinates_come_back_into_the_period);
     tcase_add_test(tests, the_nearest_image_is_within_half_a_period);
-    tcase_add_loop_test(tests, neighbours_are_those_of_the_nearest_images, 0, 2 * ROOMS);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, neighbours_are_those_of_the_nearest_images, 0, 2 * ROOMS);
     return suite;
 }

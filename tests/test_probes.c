@@ -392,7 +392,6 @@ Suite *suite_probes(void)
     TCase *tests = tcase_create("probes");
     tcase_add_test(tests, every_kind_has_a_word_and_columns);
     tcase_add_test(tests, without_liquid_nothing_has_a_value);
-    tcase_add_loop_test(tests, probes_change_nothing_and_no_thread_changes_them, 0, 4);
     tcase_add_test(tests, speed_and_pressure_are_those_at_the_point);
     tcase_add_test(tests, extent_is_that_of_the_places);
     tcase_add_loop_test(tests, axes_are_those_of_a_cross, 0, 11);
@@ -406,5 +405,7 @@ Suite *suite_probes(void)
     tcase_add_test(tests, neighbours_across_a_periodic_side_count);
     tcase_add_test(tests, density_errors_and_speeds_are_measured);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, probes_change_nothing_and_no_thread_changes_them, 0, 4);
     return suite;
 }

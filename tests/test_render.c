@@ -321,8 +321,10 @@ Suite *suite_render(void)
     tcase_add_test(files, bad_shaders_are_located);
     tcase_add_test(files, pictures_are_checked);
     tcase_add_test(files, png_holds_the_pixels);
-    tcase_add_test(files, png_holds_any_pixels);
     tcase_add_test(files, unwritable_png_leaves_nothing);
     suite_add_tcase(suite, files);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, make_folder, remove_folder);
+    tcase_add_test(slow, png_holds_any_pixels);
     return suite;
 }

@@ -50,7 +50,8 @@ static const struct fault {
      "box, circle, polygon"},
     {DOMAIN SPACING "blocks:\n  - disc: {center: [0.2, 0.2], radius: 0}\n", SPH2D_CODE_OUT_OF_RANGE,
      "blocks[0].circle.radius", 4, 40, "must be above 0", ""}, /* a word for the same */
-    {DOMAIN SPACING "blocks:\n  - disc: {center: [0.3, 0.3], radius: 0.1}\n    circle: {center: [0.3, 0.3], radius: 0.1}\n",
+    {DOMAIN SPACING
+     "blocks:\n  - disc: {center: [0.3, 0.3], radius: 0.1}\n    circle: {center: [0.3, 0.3], radius: 0.1}\n",
      SPH2D_CODE_DUPLICATE_KEY, "blocks[0].circle", 5, 5, "'circle' is given twice", "first on line 4"},
     /* types */
     {DOMAIN "spacing: abc\n" BLOCKS, SPH2D_CODE_WRONG_TYPE, "spacing", 2, 10, "expected a number, got 'abc'", "in m"},

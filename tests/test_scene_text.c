@@ -484,7 +484,9 @@ Suite *suite_scene_text(void)
     tcase_add_test(text, numbers_keep_all_their_bits);
     tcase_add_test(text, numbers_are_as_short_as_their_bits_allow);
     tcase_add_test(text, a_comma_in_the_callers_numbers_changes_nothing);
-    tcase_add_test(text, each_example_survives_the_way_through_text);
     suite_add_tcase(suite, text);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, set_up, NULL);
+    tcase_add_test(slow, each_example_survives_the_way_through_text);
     return suite;
 }

@@ -212,6 +212,7 @@ Suite *suite_settings(void)
     tcase_add_loop_test(tests, defaults_are_right, 0, SCENES * METHODS);
     tcase_add_loop_test(tests, settings_are_right_refused_or_stopped, 0,
                         getenv("SPH2D_TEST_FULL") ? DRAWN_FULL : DRAWN);
+    tcase_set_tags(tests, "long");
     suite_add_tcase(suite, tests);
     return suite;
 }

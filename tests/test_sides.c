@@ -352,14 +352,16 @@ Suite *suite_sides(void)
     tcase_add_test(tests, lines_of_one_particle_have_no_side);
     tcase_add_test(tests, liquid_on_both_sides_must_be_said);
     tcase_add_test(tests, a_wall_between_two_liquids_is_a_solid_and_keeps_them_apart);
-    tcase_add_loop_test(tests, a_line_of_several_pieces_makes_its_room_as_one_does, 0, 24);
     tcase_add_test(tests, a_line_that_turns_back_is_no_solid);
     tcase_add_test(tests, nothing_gets_between_the_layers_from_behind);
     tcase_add_test(tests, liquid_in_the_layers_is_refused_with_their_place);
     tcase_add_test(tests, a_shape_that_is_refused_has_its_word);
     tcase_add_loop_test(tests, a_particle_within_a_tenth_of_a_spacing_of_a_wall_is_refused, 0, 2);
-    tcase_add_loop_test(tests, a_polygon_is_a_solid_whichever_way_round, 0, 4);
     tcase_add_test(tests, a_polygon_must_be_one);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, start, NULL);
+    tcase_add_loop_test(slow, a_line_of_several_pieces_makes_its_room_as_one_does, 0, 24);
+    tcase_add_loop_test(slow, a_polygon_is_a_solid_whichever_way_round, 0, 4);
     return suite;
 }

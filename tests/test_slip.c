@@ -301,14 +301,15 @@ Suite *suite_slip(void)
 {
     Suite *suite = suite_create("slip");
     TCase *flows = tcase_create("flows"), *checks = tcase_create("checks");
-    tcase_add_loop_test(flows, half_a_channel_between_a_rough_and_a_free_wall, 0, 3);
-    tcase_add_test(flows, a_belt_below_a_smooth_wall);
     tcase_add_test(flows, walls_of_three_kinds_tell_the_force_that_liquid_gets);
-    tcase_add_loop_test(flows, slips_that_are_alike_are_that_of_the_scene, 0, 3);
     tcase_add_loop_test(flows, in_corners_the_rougher_wall_goes_on, 0, 2);
     tcase_add_loop_test(checks, what_cannot_work_is_refused, 0, REFUSED);
     tcase_add_loop_test(checks, what_works_is_taken, 0, 2);
     suite_add_tcase(suite, flows);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, half_a_channel_between_a_rough_and_a_free_wall, 0, 3);
+    tcase_add_test(slow, a_belt_below_a_smooth_wall);
+    tcase_add_loop_test(slow, slips_that_are_alike_are_that_of_the_scene, 0, 3);
     suite_add_tcase(suite, checks);
     return suite;
 }

@@ -474,7 +474,9 @@ Suite *suite_snapshot(void)
     tcase_add_checked_fixture(unwritable, snapshot_set_up, snapshot_tear_down);
     tcase_add_test(unwritable, places_that_take_no_file);
     tcase_add_loop_test(unwritable, a_full_disk_leaves_the_old_file, 0, 2);
-    tcase_add_test(unwritable, a_killed_writer_leaves_a_whole_file_or_none);
     suite_add_tcase(suite, unwritable);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, snapshot_set_up, snapshot_tear_down);
+    tcase_add_test(slow, a_killed_writer_leaves_a_whole_file_or_none);
     return suite;
 }

@@ -157,13 +157,15 @@ Suite *suite_solver_limits(void)
     Suite *suite = suite_create("solver_limits");
     TCase *cases = tcase_create("limits of the solvers");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
-    tcase_add_loop_test(cases, a_tall_column_keeps_its_compression, 0, 2);
-    tcase_add_loop_test(cases, a_tall_column_stops_where_too_few_iterations_are_allowed, 0, 2);
     tcase_add_loop_test(cases, limits_that_cannot_be_kept_are_counted, 0, 2);
     tcase_add_test(cases, a_solver_that_has_time_keeps_a_narrow_tolerance);
-    tcase_add_test(cases, a_soft_liquid_collapses_without_harm);
-    tcase_add_test(cases, a_stiff_lattice_settles_by_its_compliance);
     tcase_add_test(cases, rows_behind_the_last_count_as_nothing);
     suite_add_tcase(suite, cases);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, NULL, tank_finish);
+    tcase_add_loop_test(slow, a_tall_column_keeps_its_compression, 0, 2);
+    tcase_add_loop_test(slow, a_tall_column_stops_where_too_few_iterations_are_allowed, 0, 2);
+    tcase_add_test(slow, a_soft_liquid_collapses_without_harm);
+    tcase_add_test(slow, a_stiff_lattice_settles_by_its_compliance);
     return suite;
 }

@@ -217,13 +217,15 @@ Suite *suite_solvers(void)
     TCase *cases = tcase_create("solvers");
     tcase_add_checked_fixture(cases, NULL, tank_finish);
     tcase_add_test(cases, pressure_makes_no_energy);
-    tcase_add_loop_test(cases, energy_never_rises_where_walls_stand, 0, 2);
     tcase_add_loop_test(cases, momentum_is_kept, 0, 2);
     tcase_add_loop_test(cases, compression_stays_where_it_is_wanted, 0, 2);
     tcase_add_loop_test(cases, too_few_iterations_are_counted_and_stop_a_run_in_the_end, 0, 2);
     tcase_add_loop_test(cases, threads_do_not_matter, 0, 2);
-    tcase_add_loop_test(cases, instruction_sets_do_not_matter, 0, 2);
     tcase_add_loop_test(cases, a_state_goes_on_as_if_nothing_was, 0, 2);
     suite_add_tcase(suite, cases);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, NULL, tank_finish);
+    tcase_add_loop_test(slow, energy_never_rises_where_walls_stand, 0, 2);
+    tcase_add_loop_test(slow, instruction_sets_do_not_matter, 0, 2);
     return suite;
 }

@@ -373,7 +373,6 @@ Suite *suite_sources(void)
     Suite *suite = suite_create("sources");
     TCase *tests = tcase_create("sources");
     tcase_add_loop_test(tests, a_jet_is_a_lattice_that_moves, 0, 3);
-    tcase_add_loop_test(tests, the_default_rate_is_width_times_speed, 0, 5);
     tcase_add_test(tests, direction_points_down_and_one_particle_is_the_least);
     tcase_add_test(tests, start_and_stop_are_kept);
     tcase_add_test(tests, spread_is_random_bounded_and_from_the_seed);
@@ -381,6 +380,8 @@ Suite *suite_sources(void)
     tcase_add_test(tests, taken_places_are_counted_and_stay_empty);
     tcase_add_test(tests, walls_take_places_too);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, the_default_rate_is_width_times_speed, 0, 5);
     TCase *losses = tcase_create("losses");
     tcase_add_test(losses, a_drain_takes_what_is_in_it_while_it_is_open);
     tcase_add_loop_test(losses, open_sides_count_what_is_a_domain_away, 0, 4);

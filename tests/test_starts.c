@@ -565,12 +565,14 @@ Suite *suite_starts(void)
     tcase_add_test(starts, particles_beyond_a_periodic_side_count);
     tcase_add_loop_test(starts, the_liquid_of_a_snapshot_keeps_its_volume_and_place, 0, 5);
     tcase_add_test(starts, a_particle_that_is_alone_stays);
-    tcase_add_test(starts, blocks_and_obstacles_leave_no_room_for_a_snapshot);
-    tcase_add_test(starts, beside_slopes_the_liquid_of_a_snapshot_is_packed);
     tcase_add_test(starts, particles_without_a_density_start_at_the_pressure_of_the_scene);
-    tcase_add_loop_test(starts, deep_still_water_surrounds_a_solid, 0, 2);
     tcase_add_test(starts, a_start_is_of_one_thing);
     tcase_add_test(starts, broken_values_are_refused);
     suite_add_tcase(suite, starts);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, set_up, NULL);
+    tcase_add_test(slow, blocks_and_obstacles_leave_no_room_for_a_snapshot);
+    tcase_add_test(slow, beside_slopes_the_liquid_of_a_snapshot_is_packed);
+    tcase_add_loop_test(slow, deep_still_water_surrounds_a_solid, 0, 2);
     return suite;
 }

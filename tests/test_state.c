@@ -432,7 +432,6 @@ Suite *suite_state(void)
     tcase_add_test(tests, the_state_at_the_start_and_of_nothing);
     tcase_add_test(tests, a_state_without_walls_takes_those_of_the_scene);
     tcase_add_test(tests, the_state_keeps_its_instruction_set);
-    tcase_add_test(tests, every_array_must_be_there_whole);
     tcase_add_test(tests, every_number_must_be_finite);
     tcase_add_loop_test(tests, numbers_of_the_run_must_be_in_range, 0, RANGES);
     tcase_add_test(tests, densities_must_be_positive);
@@ -441,5 +440,8 @@ Suite *suite_state(void)
     tcase_add_test(tests, a_state_of_another_scene_is_refused);
     tcase_add_test(tests, a_wrong_scene_is_told_apart);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, start, NULL);
+    tcase_add_test(slow, every_array_must_be_there_whole);
     return suite;
 }

@@ -314,11 +314,12 @@ Suite *suite_tunnelling(void)
 {
     Suite *suite = suite_create("tunnelling");
     TCase *tests = tcase_create("jets");
-    tcase_add_loop_test(tests, nothing_passes_with_adaptive_steps, 0, 2 * TARGETS);
-    tcase_add_loop_test(tests, nothing_passes_with_the_largest_fixed_step, 0, 2 * TARGETS);
     tcase_add_loop_test(tests, a_nozzle_close_to_a_wall_does_not_feed_through_it, 0, 2);
     tcase_add_loop_test(tests, a_wall_that_moves_takes_what_rests_along, 0, 2);
-    tcase_add_loop_test(tests, nothing_gets_into_a_blade_that_turns, 0, 6);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, nothing_passes_with_adaptive_steps, 0, 2 * TARGETS);
+    tcase_add_loop_test(slow, nothing_passes_with_the_largest_fixed_step, 0, 2 * TARGETS);
+    tcase_add_loop_test(slow, nothing_gets_into_a_blade_that_turns, 0, 6);
     return suite;
 }

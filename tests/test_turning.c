@@ -177,10 +177,11 @@ Suite *suite_turning(void)
 {
     Suite *suite = suite_create("turning");
     TCase *tests = tcase_create("turning");
-    tcase_add_loop_test(tests, liquid_between_circles_that_turn, 0, 3);
-    tcase_add_loop_test(tests, a_hollow_obstacle_holds_water, 0, 3);
     tcase_add_test(tests, layers_of_a_hollow_obstacle_are_around_it);
     tcase_add_test(tests, a_line_has_no_inside);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, liquid_between_circles_that_turn, 0, 3);
+    tcase_add_loop_test(slow, a_hollow_obstacle_holds_water, 0, 3);
     return suite;
 }

@@ -195,6 +195,7 @@ Suite *suite_twins(void)
     Suite *suite = suite_create("twins");
     TCase *tests = tcase_create("twins");
     tcase_add_loop_test(tests, a_change_is_whole_in_the_state, 0, SCENES);
+    tcase_set_tags(tests, "long");
     suite_add_tcase(suite, tests);
     return suite;
 }

@@ -334,12 +334,14 @@ Suite *suite_variational(void)
     tcase_add_loop_test(tests, energy_and_momentum_are_kept_to_rounding, 0, 3);
     tcase_add_test(tests, a_standing_wave_keeps_its_height);
     tcase_add_test(tests, a_drop_in_a_central_force_goes_on);
-    tcase_add_test(tests, a_corner_full_comes_to_rest);
     tcase_add_test(tests, shear_decays_by_its_viscosity);
-    tcase_add_test(tests, walls_hold_by_themselves);
-    tcase_add_test(tests, a_tank_carries_its_liquid);
     tcase_add_test(tests, particles_that_meet_come_apart);
-    tcase_add_test(tests, the_bits_are_always_the_same);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_set_timeout(slow, 60);
+    tcase_add_test(slow, a_corner_full_comes_to_rest);
+    tcase_add_test(slow, walls_hold_by_themselves);
+    tcase_add_test(slow, a_tank_carries_its_liquid);
+    tcase_add_test(slow, the_bits_are_always_the_same);
     return suite;
 }

@@ -347,11 +347,8 @@ Suite *suite_variational_loads(void)
     Suite *suite = suite_create("variational_loads");
     TCase *tests = tcase_create("variational_loads");
     tcase_set_timeout(tests, 60);
-    tcase_add_loop_test(tests, bodies_float_and_keep_energy, 0, 2);
     tcase_add_loop_test(tests, liquid_and_body_keep_their_momentum, 0, 2);
-    tcase_add_test(tests, liquid_sticks_to_walls);
     tcase_add_loop_test(tests, the_work_of_a_lid_is_known, 0, 2);
-    tcase_add_test(tests, shear_thinning_liquid_has_its_profile);
     tcase_add_test(tests, a_stream_passes_through_openings);
     tcase_add_test(tests, surface_tension_gives_its_energy);
     tcase_add_test(tests, a_channel_keeps_its_liquid_and_its_parabola);
@@ -360,5 +357,10 @@ Suite *suite_variational_loads(void)
     tcase_add_test(tests, what_is_struck_makes_no_energy);
     tcase_add_test(tests, close_pairs_give_back_what_they_took);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_set_timeout(slow, 60);
+    tcase_add_loop_test(slow, bodies_float_and_keep_energy, 0, 2);
+    tcase_add_test(slow, liquid_sticks_to_walls);
+    tcase_add_test(slow, shear_thinning_liquid_has_its_profile);
     return suite;
 }

@@ -247,14 +247,16 @@ Suite *suite_variational_walls(void)
     TCase *tests = tcase_create("variational_walls");
     tcase_set_timeout(tests, 60);
     tcase_add_test(tests, a_shelf_lets_water_go);
-    tcase_add_test(tests, a_drop_leaves_a_circle_in_two_sheets);
     tcase_add_test(tests, a_jet_passes_the_end_of_a_sheet);
     tcase_add_test(tests, a_jet_leaves_a_duct_straight);
-    tcase_add_test(tests, a_box_sinks_to_a_mirror);
     tcase_add_test(tests, a_floor_gives_no_energy);
-    tcase_add_test(tests, a_thin_wall_holds_a_head);
-    tcase_add_test(tests, a_wedge_leaves_a_tank_at_rest);
     tcase_add_test(tests, a_tip_beside_a_sheet_is_as_thick_as_a_wall);
     suite_add_tcase(suite, tests);
+    TCase *slow = test_long(suite);
+    tcase_set_timeout(slow, 60);
+    tcase_add_test(slow, a_drop_leaves_a_circle_in_two_sheets);
+    tcase_add_test(slow, a_box_sinks_to_a_mirror);
+    tcase_add_test(slow, a_thin_wall_holds_a_head);
+    tcase_add_test(slow, a_wedge_leaves_a_tank_at_rest);
     return suite;
 }

@@ -309,6 +309,7 @@ Suite *suite_walls(void)
     TCase *drops = tcase_create("drops");
     tcase_add_loop_test(drops, a_dropped_particle_never_rises_above_its_start, 0, DROPS);
     tcase_add_loop_test(drops, a_dropped_particle_comes_to_rest, 0, DROPS);
+    tcase_set_tags(drops, "long");
     suite_add_tcase(suite, drops);
     return suite;
 }

@@ -340,12 +340,12 @@ sph2d_vec2 sph2d_shape_centroid(const sph2d_shape *shape)
     return shape->kind == SPH2D_SHAPE_POLYGON ? polygon_centroid(shape->points) : line_centroid(shape->points);
 }
 
-double sph2d__shape_distance(const sph2d_shape *outline, sph2d_vec2 point)
+double sph2d__shape_distance(const sph2d_shape *shape, sph2d_vec2 point)
 {
-    if (outline->kind == SPH2D_SHAPE_CIRCLE)
-        return hypot(outline->circle.center.x - point.x, outline->circle.center.y - point.y) + outline->circle.radius;
-    if (outline->kind == SPH2D_SHAPE_ARC) {
-        const sph2d_arc *arc = &outline->arc;
+    if (shape->kind == SPH2D_SHAPE_CIRCLE)
+        return hypot(shape->circle.center.x - point.x, shape->circle.center.y - point.y) + shape->circle.radius;
+    if (shape->kind == SPH2D_SHAPE_ARC) {
+        const sph2d_arc *arc = &shape->arc;
         sph2d_vec2 from = point_at(arc->center, arc->radius, arc->from);
         sph2d_vec2 to = point_at(arc->center, arc->radius, arc->to);
         double x = arc->center.x - point.x, y = arc->center.y - point.y;
@@ -354,24 +354,23 @@ double sph2d__shape_distance(const sph2d_shape *outline, sph2d_vec2 point)
                    : fmax(hypot(from.x - point.x, from.y - point.y), hypot(to.x - point.x, to.y - point.y));
     }
     double farthest = 0;
-    size_t pieces = sph2d__shape_pieces(outline, 1);
+    size_t pieces = sph2d__shape_pieces(shape, 1);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__shape_piece(outline, 1, k);
+        sph2d__segment s = sph2d__shape_piece(shape, 1, k);
         farthest =
             fmax(farthest, fmax(hypot(s.a.x - point.x, s.a.y - point.y), hypot(s.b.x - point.x, s.b.y - point.y)));
     }
     return farthest;
 }
 
-double sph2d__shape_nearest(const sph2d_shape *outline, double spacing, sph2d_vec2 point)
+double sph2d__shape_nearest(const sph2d_shape *shape, double spacing, sph2d_vec2 point)
 {
-    if (outline->kind == SPH2D_SHAPE_CIRCLE)
-        return fabs(hypot(point.x - outline->circle.center.x, point.y - outline->circle.center.y) -
-                    outline->circle.radius);
+    if (shape->kind == SPH2D_SHAPE_CIRCLE)
+        return fabs(hypot(point.x - shape->circle.center.x, point.y - shape->circle.center.y) - shape->circle.radius);
     double least = INFINITY;
-    size_t pieces = sph2d__shape_pieces(outline, spacing);
+    size_t pieces = sph2d__shape_pieces(shape, spacing);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
+        sph2d__segment s = sph2d__shape_piece(shape, spacing, k);
         least = fmin(least, sph2d__segment_distance(&s, point));
     }
     return least;

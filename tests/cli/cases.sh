@@ -1,5 +1,5 @@
 #!/bin/sh
-# The cases of examples/ at low resolution: each error below a bound that it keeps with little to spare.
+# Long: the cases of examples/ at low resolution: each error below a bound that it keeps with little to spare.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 
