@@ -183,9 +183,9 @@ static void set_layers(stage *s)
     s->scene.walls = SPH2D_WALL_GENERALISED;
 }
 
-static void set_cubic(stage *s)
+static void set_kernel(stage *s)
 {
-    s->scene.method.kernel = SPH2D_KERNEL_CUBIC;
+    s->scene.method.kernel = SPH2D_KERNEL_WENDLAND_C4;
 }
 
 static void set_tait(stage *s)
@@ -248,7 +248,7 @@ static const struct feature {
     {"walls", MULLER | PCISPH, set_heavy},
     {"walls", ALL & ~(WCSPH | CONSTRAINT), set_reflecting},
     {"walls", ALL & ~MULLER, set_layers},
-    {"method.kernel", WCSPH | PCISPH | CONSTRAINT, set_cubic},
+    {"method.kernel", WCSPH | PCISPH | CONSTRAINT, set_kernel},
     {"method.state_equation", FITTED, set_tait},
     {"method.artificial_viscosity", MULLER | PCISPH, set_alpha},
     {"method.density_diffusion", FITTED, set_delta},

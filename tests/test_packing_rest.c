@@ -67,7 +67,7 @@ static double nearest_pair(const sph2d_sim *sim)
 
 START_TEST(no_kernel_packs_particles_in_pairs)
 {
-    /* A lattice as dense has 1; by the cubic spline itself places came within 2e-7. */
+    /* A lattice as dense has 1; by a kernel whose Fourier transform has negative values pairs form (Dehnen & Aly 2012). */
     packed.scene.method.kernel = (sph2d_kernel)_i;
     packed.scene.method.support_ratio = 4;
     packed.block = test_block(0.1, 0.1, 0.2893, 0.3451);

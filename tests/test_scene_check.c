@@ -584,17 +584,13 @@ START_TEST(every_fault_is_found)
 END_TEST
 
 /** W(0) over the sum of W on a filled lattice, by the kernels' formulas, is above and below two thirds at these
- *  supports: of wendland_c2 78 and 65 %, c4 74 and 63 %, c6 73 and 65 %, cubic 70 and 63 %, quintic 73 and 65 %. */
+ *  supports: of wendland_c2 78 and 65 %, of wendland_c4 74 and 63 %. */
 START_TEST(pressure_solvers_need_neighbours)
 {
     static const struct {
         sph2d_kernel kernel;
         double narrow, wide;
-    } supports[] = {{SPH2D_KERNEL_WENDLAND_C2, 1.6, 1.8},
-                    {SPH2D_KERNEL_WENDLAND_C4, 1.9, 2.1},
-                    {SPH2D_KERNEL_WENDLAND_C6, 2.15, 2.3},
-                    {SPH2D_KERNEL_CUBIC, 1.6, 1.7},
-                    {SPH2D_KERNEL_QUINTIC, 1.9, 2.05}};
+    } supports[] = {{SPH2D_KERNEL_WENDLAND_C2, 1.6, 1.8}, {SPH2D_KERNEL_WENDLAND_C4, 1.9, 2.1}};
     static const sph2d_method solvers[] = {SPH2D_METHOD_PCISPH, SPH2D_METHOD_CONSTRAINT, SPH2D_METHOD_WCSPH};
     for (size_t k = 0; k < sizeof solvers / sizeof *solvers; ++k) {
         scene.method = sph2d_scene_default().method;
@@ -744,7 +740,7 @@ Suite *suite_scene_check(void)
     tcase_add_test(tests, a_motion_that_squeezes_liquid_is_warned_of);
     tcase_add_test(tests, probes_have_no_use_for_some_places);
     tcase_add_loop_test(tests, every_fault_is_found, 0, FAULTS);
-    tcase_add_loop_test(tests, pressure_solvers_need_neighbours, 0, 5);
+    tcase_add_loop_test(tests, pressure_solvers_need_neighbours, 0, 2);
     tcase_add_test(tests, fitted_operators_take_no_wide_support_without_viscosity);
     tcase_add_test(tests, stiff_blocks_start_near_rest_density);
     tcase_add_test(tests, all_faults_are_found_at_once);

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file scene.h
  *  What a scene is: plain structs. SI units throughout; in two dimensions masses and forces are per metre of depth.
- *  H is the support radius, beyond which kernels are zero; the smoothing length h of the literature is H/2, for the
- *  quintic kernel H/3.
+ *  H is the support radius, beyond which kernels are zero; the smoothing length h of the literature is H/2.
  *
  *      sph2d_scene scene = sph2d_scene_default();
  *      scene.domain = (sph2d_box){{0, 0}, {1, 1}};
@@ -243,9 +242,8 @@ typedef struct sph2d_method_options {
     double sound_speed;
 
     /** Support radius over spacing, H/dx, 1.2 to 6; default 0: the method's, muller 2.0, wcsph 3.0 with variational
-     *  and 2.5 with fitted operators; constraint 3.0; pcisph 2.4 with wendland_c2 and cubic (1.78, 1.65 at least),
-     *  2.75 with wendland_c4 and quintic (2.04, 2.02), 3.05 with wendland_c6 (2.27): neighbours must contribute a third
-     *  of the density. */
+     *  and 2.5 with fitted operators; constraint 3.0; pcisph 2.4 with wendland_c2 (1.78 at least), 2.75 with
+     *  wendland_c4 (2.04): neighbours must contribute a third of the density. */
     double support_ratio;
 
     /** Step limit: dt <= cfl H / (c0 + v_max), and without c0 for pcisph and constraint, 0.01 to 0.9,

@@ -5,7 +5,7 @@
  *
  *      scene.boundary.top = SPH2D_SIDE_WALL;           boundary: {top: wall}
  *      scene.method.name = SPH2D_METHOD_PCISPH;        method: pcisph
- *      scene.method.kernel = SPH2D_KERNEL_QUINTIC;     method: {kernel: quintic}
+ *      scene.method.kernel = SPH2D_KERNEL_WENDLAND_C4; method: {kernel: wendland_c4}
  *
  *  0 is the default of a word that has one, except for the top side of the domain (open) and the method (wcsph). Known flows are words, too; they are in flow.h. */
 #ifndef SPH2D_SCENE_WORDS_H
@@ -138,10 +138,7 @@ typedef enum sph2d_operators {
 /** Smoothing kernels, in the order of their values from 0 on: name, word of scene files. */
 #define SPH2D_KERNEL_MAP(X)                                                                                            \
     X(WENDLAND_C2, wendland_c2)                                                                                        \
-    X(WENDLAND_C4, wendland_c4)                                                                                        \
-    X(WENDLAND_C6, wendland_c6)                                                                                        \
-    X(CUBIC, cubic)                                                                                                    \
-    X(QUINTIC, quintic)
+    X(WENDLAND_C4, wendland_c4)
 
 /** A smoothing kernel. */
 typedef enum sph2d_kernel {

@@ -7,7 +7,7 @@
  *      runs:
  *        - {name: coarse, set: {spacing: 0.02}}
  *        - {name: fine, set: {spacing: 0.01}}
- *      vary: {method.kernel: [wendland_c2, quintic]}
+ *      vary: {method.kernel: [wendland_c2, wendland_c4]}
  *      measures:
  *        - {name: decay rate, probe: energy, column: kinetic, take: last, expect: 0.25, bound: 0.01, order: true}
  *

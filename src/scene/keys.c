@@ -618,8 +618,8 @@ static const sph2d_key method_items[] = {
     {"support_ratio", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, support_ratio), BETWEEN_OR_0(1.2, 6),
      .unit = "",
      .default_text =
-         "muller 2.0, wcsph 3.0 (variational) or 2.5 (fitted), constraint 3.0, pcisph 2.4 to 3.05 by kernel",
-     .text = "support radius over spacing, H/dx; pcisph needs 1.65 to 2.27 or more by kernel, fitted "
+         "muller 2.0, wcsph 3.0 (variational) or 2.5 (fitted), constraint 3.0, pcisph 2.4 or, with wendland_c4, 2.75",
+     .text = "support radius over spacing, H/dx; pcisph needs 1.78, with wendland_c4 2.04, fitted "
              "at most 3 for flows with little viscosity, hybrid 2 to 2.6"},
     {"cfl", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, cfl), BETWEEN_OR_0(0.01, 0.9), .unit = "",
      .default_text =

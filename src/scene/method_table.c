@@ -15,12 +15,8 @@ static double projected_support(sph2d_kernel kernel)
 {
     switch (kernel) {
     case SPH2D_KERNEL_WENDLAND_C4:
-    case SPH2D_KERNEL_QUINTIC:
         return 2.75;
-    case SPH2D_KERNEL_WENDLAND_C6:
-        return 3.05;
     case SPH2D_KERNEL_WENDLAND_C2:
-    case SPH2D_KERNEL_CUBIC:
         break;
     }
     return 2.4;

@@ -19,11 +19,6 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm512_max_ps((__m512)a, (__m512)b);
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
-{
-    __mmask16 below = _mm512_cmp_ps_mask((__m512)a, _mm512_set1_ps((float)limit), _CMP_LT_OQ);
-    return (sph2d__lanes)_mm512_mask_mov_ps((__m512)no, below, (__m512)yes);
-}
 SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
 {
     return _mm512_cmp_ps_mask((__m512)a, _mm512_set1_ps((float)limit), _CMP_LT_OQ);
@@ -52,11 +47,6 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes)_mm256_max_ps((__m256)a, (__m256)b);
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
-{
-    __m256 below = _mm256_cmp_ps((__m256)a, _mm256_set1_ps((float)limit), _CMP_LT_OQ);
-    return (sph2d__lanes)_mm256_blendv_ps((__m256)no, (__m256)yes, below);
-}
 SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
 {
     return (unsigned)_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, _mm256_set1_ps((float)limit), _CMP_LT_OQ));
@@ -74,13 +64,6 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_max(sph2d__lanes a, sph2d__lanes b)
 {
     return (sph2d__lanes){a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1], a[2] > b[2] ? a[2] : b[2],
                           a[3] > b[3] ? a[3] : b[3]};
-}
-SPH2D__INLINE sph2d__lanes sph2d__lanes_below(sph2d__lanes a, double limit, sph2d__lanes yes, sph2d__lanes no)
-{
-    sph2d__lanes out;
-    for (int l = 0; l < SPH2D__LANES; ++l)
-        out[l] = a[l] < (float)limit ? yes[l] : no[l];
-    return out;
 }
 SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
 {

@@ -65,28 +65,9 @@ static bool set_positions(sph2d__packing_state *p)
 
 /* ---- packing ----------------------------------------------------------------------------------------------------- */
 
-/** The kernel of the packing: the method's, or, if that is a spline, Wendland's kernel of about the same standard
- *  deviation. The Fourier transforms of splines have negative values, so that sum W_ij is minimal for particles in
- *  pairs (Dehnen & Aly 2012): with the cubic spline at H = 3.9 dx they came within 1e-6 dx of each other. */
-static sph2d_kernel packing_kernel(sph2d_kernel kernel)
-{
-    switch (kernel) {
-    case SPH2D_KERNEL_CUBIC:
-        return SPH2D_KERNEL_WENDLAND_C2;
-    case SPH2D_KERNEL_QUINTIC:
-        return SPH2D_KERNEL_WENDLAND_C4;
-    case SPH2D_KERNEL_WENDLAND_C2:
-    case SPH2D_KERNEL_WENDLAND_C4:
-    case SPH2D_KERNEL_WENDLAND_C6:
-        break;
-    }
-    return kernel;
-}
-
 static sph2d__packing_state state_of(sph2d_sim *sim, sph2d__region *region)
 {
-    sph2d__packing_state p = {
-        .sim = sim, .region = region, .kernel = packing_kernel(sim->system.method.kernel), .size = region->size};
+    sph2d__packing_state p = {.sim = sim, .region = region, .kernel = sim->system.method.kernel, .size = region->size};
     double ratio = sim->system.support / sim->system.spacing;
     p.support = fmax(ratio, fmin(fmax(SUPPORT_FACTOR * ratio, MIN_SUPPORT), MAX_SUPPORT)) * p.size;
     double h2 = p.support * p.support;
