@@ -52,9 +52,6 @@ START_TEST(a_row_says_what_a_scene_needs)
         ck_assert(all->cfl > 0 && row->max_compression > 0 && all->sound_compression > 0);
         ck_assert(row->wall_forms >> all->side_form & 1);
         ck_assert(row->wall_forms >> all->obstacle_form & 1);
-        const bool layers =
-            all->keeps_volume || row->operators == SPH2D_OPERATORS_VARIATIONAL; /* densities need them */
-        ck_assert(row->wall_forms >> SPH2D_WALL_REFLECT & 1 || layers);
         ck_assert(all->max_density > 1 && all->min_density < 1 && all->energy_rise > 0);
         ck_assert(*row->use && *row->scheme && *row->source && *all->damping_hint);
         ck_assert_int_eq(all->convergence_hint != NULL, sph2d_method_has(row, SPH2D_FEATURE_MAX_ITERATIONS));

@@ -244,8 +244,6 @@ END_TEST
     X("side_slip.left", CONFLICT, scene.boundary.left = scene.boundary.right = SPH2D_SIDE_PERIODIC;                    \
       scene.side_slip.left = SPH2D_WALL_SLIP_NONE)                                                                     \
     X("side_slip.top", CONFLICT, scene.side_slip.top = SPH2D_WALL_SLIP_SMOOTH)                                         \
-    X("side_slip.bottom", CONFLICT, scene.walls = SPH2D_WALL_REFLECT)                                                  \
-    X("obstacles[0].slip", CONFLICT, obstacle.form = SPH2D_WALL_REFLECT)                                               \
     X("side_slip.bottom", UNSUPPORTED, scene.method.name = SPH2D_METHOD_PCISPH)                                        \
     X("side_slip.bottom", UNSUPPORTED, scene.method.name = SPH2D_METHOD_MULLER)                                        \
     X("side_slip.bottom", UNSUPPORTED, scene.method.operators = SPH2D_OPERATORS_FITTED)                                \

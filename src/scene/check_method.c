@@ -94,16 +94,13 @@ static void check_slip(sph2d__checker *c, const char *path, sph2d_slip slip)
                         "use `none`, or `operators: variational`");
 }
 
-/** The own slip of one wall: it must be a wall in layers. Fitted operators have no free slip. */
-static void check_own_slip(sph2d__checker *c, const char *path, sph2d_slip slip, bool is_wall, sph2d_wall_form form)
+/** The own slip of one wall. Fitted operators have no free slip. */
+static void check_own_slip(sph2d__checker *c, const char *path, sph2d_slip slip, bool is_wall)
 {
     if (!is_wall) {
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "this side of the domain is not a wall");
         return;
     }
-    if (form != SPH2D_WALL_GENERALISED && slip != SPH2D_SLIP_FREE)
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
-                           "has an effect on generalised walls only; use `walls` or `form: generalised`");
     check_slip(c, path, slip);
     require_feature(c, path, slip == SPH2D_SLIP_FREE, SPH2D_FEATURE_FREE_SURFACE,
                     "use `none`, or `operators: variational`");
@@ -140,14 +137,13 @@ static void check_slips(sph2d__checker *c)
         snprintf(path, sizeof path, "side_slip.%s", sph2d__side_word(side));
         sph2d_slip slip = sph2d__side_slip(scene, side);
         if (own[side] != SPH2D_WALL_SLIP_DEFAULT)
-            check_own_slip(c, path, slip, sph2d__side_of(scene, side) == SPH2D_SIDE_WALL, sph2d__side_form(scene));
+            check_own_slip(c, path, slip, sph2d__side_of(scene, side) == SPH2D_SIDE_WALL);
         slides = slides || (speeds[side] != 0 && slip == SPH2D_SLIP_FREE);
     }
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         if (scene->obstacles[i].slip != SPH2D_WALL_SLIP_DEFAULT)
             check_own_slip(c, sph2d__check_wall_path(c, path, i, ".slip"),
-                           sph2d__obstacle_slip(scene, &scene->obstacles[i]), true,
-                           sph2d__obstacle_form(scene, &scene->obstacles[i]));
+                           sph2d__obstacle_slip(scene, &scene->obstacles[i]), true);
     check_slip_of_bodies(c);
     bool smooth = scene->wall_slip == SPH2D_SLIP_SMOOTH || (sph2d__slips(scene) >> SPH2D_SLIP_SMOOTH & 1);
     if (scene->slip_length != 0 && !smooth)

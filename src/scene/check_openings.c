@@ -251,8 +251,6 @@ static void check_opening(checker *c, size_t i)
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".side"),
                                "is not a wall: an opening is a part of one");
         sph2d_diagnostic_hint(d, "use `boundary: {%s: wall}`", sph2d__side_word(side));
-    } else if (sph2d__side_form(scene) != SPH2D_WALL_GENERALISED) {
-        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "walls", "openings need generalised walls: leave `walls` out");
     }
     if (speeds[side] != 0)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".side"),

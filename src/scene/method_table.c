@@ -61,7 +61,7 @@ static const sph2d__method_row rows[] = {
               .max_compression = 0.01,
               .features = HAS(OPERATORS) | HAS(STATE_EQUATION) | HAS(DENSITY_DIFFUSION) | HAS(SHIFTING) |
                           HAS(WALL_SLIP) | HAS(OPENINGS) | HAS(WALL_FORCES),
-              .wall_forms = WALL(GENERALISED) | WALL(REFLECT)},
+              .wall_forms = WALL(GENERALISED)},
      .cfl = 0.25,
      .damping_hint = "more fluid.dynamic_viscosity",
      WEAKLY_COMPRESSIBLE},

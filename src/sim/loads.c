@@ -102,7 +102,7 @@ sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
     const sph2d__store *w = &s->walls, *f = &s->fluid;
     sph2d__wall_force sum = {0};
     if (sim->method->surface_force)
-        return w->bounce[b] < 0 && w->skin[b] > 0 ? sim->method->surface_force(s, b) : sum;
+        return w->skin[b] > 0 ? sim->method->surface_force(s, b) : sum;
     uint32_t cell = sph2d__cells_find(&s->fluid_cells, w->x[b], w->y[b]);
     if (w->bounce[b] >= 0 || cell == UINT32_MAX)
         return sum;

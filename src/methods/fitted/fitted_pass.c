@@ -119,8 +119,6 @@ static void add_walls(const sph2d__system *s, const sph2d__cursor *cursor, size_
 {
     const sph2d__store *w = &s->walls, *f = &s->fluid;
     SPH2D__FOR_NEIGHBOURS (&cursor->ranges, r, b) {
-        if (w->bounce[b] >= 0)
-            continue;
         double x = w->x[b] - f->x[i] - cursor->ranges.x[r], y = w->y[b] - f->y[i] - cursor->ranges.y[r];
         add_wall(s, i, b, x, y, k, sums, velocity_sums, matrix, lane);
     }

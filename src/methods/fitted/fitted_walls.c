@@ -154,8 +154,6 @@ static void add_walls(const sph2d__system *s, const surface_point *p, surroundin
     sph2d__cells_ranges(&s->wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, b) {
         double x = (w->x[b] - p->at.x - ranges.x[r]) / s->support, y = (w->y[b] - p->at.y - ranges.y[r]) / s->support;
-        if (w->bounce[b] >= 0)
-            continue;
         if (x * p->normal.x + y * p->normal.y > 0)
             to->walls += weight_at(x, y) * w->mass[b] / s->mass;
         if (w->depth[b] <= FIRST_LAYER * s->spacing)

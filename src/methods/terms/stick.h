@@ -29,7 +29,7 @@ static inline double sph2d__before(const sph2d__system *s, size_t b, double dx, 
 static inline double sph2d__stick(const sph2d__system *s, size_t b, double dx, double dy)
 {
     const sph2d__store *w = &s->walls;
-    if (w->bounce[b] >= 0 || sph2d__slip_of(s, b) != SPH2D_SLIP_NONE)
+    if (sph2d__slip_of(s, b) != SPH2D_SLIP_NONE)
         return 0;
     double depth = w->depth[b];
     if (!(depth > 0 && depth < INFINITY))
