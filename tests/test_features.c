@@ -188,11 +188,6 @@ static void set_kernel(stage *s)
     s->scene.method.kernel = SPH2D_KERNEL_WENDLAND_C4;
 }
 
-static void set_tait(stage *s)
-{
-    s->scene.method.state_equation = SPH2D_STATE_TAIT;
-}
-
 static void set_alpha(stage *s)
 {
     s->scene.method.artificial_viscosity = 0.1;
@@ -249,7 +244,6 @@ static const struct feature {
     {"walls", MULLER | PCISPH, set_reflecting},
     {"walls", ALL & ~MULLER, set_layers},
     {"method.kernel", WCSPH | PCISPH | CONSTRAINT, set_kernel},
-    {"method.state_equation", FITTED, set_tait},
     {"method.artificial_viscosity", MULLER | PCISPH, set_alpha},
     {"method.density_diffusion", FITTED, set_delta},
     {"method.shifting", FITTED, set_shifting},

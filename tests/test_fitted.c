@@ -204,7 +204,6 @@ START_TEST(steps_are_as_long_as_is_stable)
     make(SPH2D_ISA_AUTO);
     sph2d__system *s = &sim->system;
     double h = s->support, acoustic = 0.25 * h / (C0 + 2), viscous = _i ? 0.0075 * h * h / 0.4 : INFINITY;
-    s->max_density = RHO0;
     sph2d__limit limit;
     ck_assert_double_eq_tol(sph2d__wcsph_fitted.stable_step(s, 2, 0, &limit), fmin(acoustic, viscous), 1e-15);
     double force = 0.25 * sqrt(h / 1e6);

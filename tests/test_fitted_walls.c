@@ -256,7 +256,6 @@ START_TEST(steps_are_shorter_where_liquid_sticks_to_walls)
     between_walls(1);
     make(SPH2D_ISA_AUTO);
     sph2d__system *s = &sim->system;
-    s->max_density = RHO0;
     sph2d__limit limit;
     double step = sph2d__wcsph_fitted.stable_step(s, 0, 0, &limit);
     ck_assert_double_eq_tol(step, 0.005 * s->support * s->support / (20 * NU), 1e-15);

@@ -133,7 +133,7 @@ static const char *const goldens[] = {
 
     "domain:\n  min: [0, 0]\n  max: [1, 1]\n"
     "boundary:\n  top: wall\nwall_slip: none\nspacing: 0.05\n"
-    "method:\n  operators: fitted\n  state_equation: tait\n  density_diffusion: 0.05\n  shifting: 0.5\n"
+    "method:\n  operators: fitted\n  density_diffusion: 0.05\n  shifting: 0.5\n"
     "  sound_speed: 10\n"
     "blocks:\n"
     "  - box:\n      min: [0, 0]\n      max: [1, 1]\n",

@@ -19,7 +19,6 @@ extern "C" {
 #define SPH2D_FEATURE_MAP(X)                                                                                           \
     X(OPERATORS, "method.operators")                                                                                   \
     X(KERNEL, "method.kernel")                                                                                         \
-    X(STATE_EQUATION, "method.state_equation")                                                                         \
     X(ARTIFICIAL_VISCOSITY, "method.artificial_viscosity")                                                             \
     X(DENSITY_DIFFUSION, "method.density_diffusion")                                                                   \
     X(SHIFTING, "method.shifting")                                                                                     \

@@ -209,9 +209,6 @@ typedef struct sph2d_method_options {
     /** wcsph with variational operators, pcisph, constraint: the smoothing kernel; default wendland_c2. */
     sph2d_kernel kernel;
 
-    /** wcsph, fitted operators: equation of state; default linear. */
-    sph2d_state_equation state_equation;
-
     /** wcsph, fitted operators: delta of delta-SPH, 0 to 1: density diffuses with delta h c0, where h = H/2 is the smoothing length;
      *  default 0.1. */
     double density_diffusion;

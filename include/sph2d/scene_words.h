@@ -152,15 +152,6 @@ typedef enum sph2d_kernel {
 enum { SPH2D_KERNEL_COUNT = SPH2D_KERNEL_MAP(SPH2D__KERNEL_ONE) };
 #undef SPH2D__KERNEL_ONE
 
-/** Equation of state of fitted operators. */
-typedef enum sph2d_state_equation {
-    /** p = c0^2 (rho - rho0). */
-    SPH2D_STATE_LINEAR = 0,
-
-    /** p = rho0 c0^2/7 ((rho/rho0)^7 - 1). */
-    SPH2D_STATE_TAIT = 1
-} sph2d_state_equation;
-
 /** What a shape is: a closed one, which bounds an area, or a line. */
 typedef enum sph2d_shape_kind {
     /** Not given: refused. */

@@ -72,7 +72,6 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->mass = d.mass;
     s->rest_density = scene->fluid.density;
     s->sound_speed = d.sound_speed;
-    s->max_density = s->rest_density;
     s->spring_head = d.spring_head;
     s->spring_energy = d.spring_energy;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;

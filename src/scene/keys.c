@@ -60,7 +60,6 @@ static const char *const switch_words[] = {"off", "on", NULL};
 static const char *const operator_words[] = {"variational", "fitted", NULL};
 #define KERNEL_WORD(name, word) #word,
 static const char *const kernel_words[] = {SPH2D_KERNEL_MAP(KERNEL_WORD) NULL};
-static const char *const state_words[] = {"linear", "tait", NULL};
 #define PROBE_WORD(name, word, columns) #word,
 static const char *const probe_words[] = {SPH2D_PROBE_MAP(PROBE_WORD) NULL};
 static const char *const material_words[] = {"none",     "water",     "oil",      "glycerine", "honey",      "mercury",
@@ -594,9 +593,6 @@ static const sph2d_key method_items[] = {
      .text = "variational: for everything; fitted is of second order, for liquid that fills its domain"},
     {"kernel", SPH2D_KEY_WORD, false, AT(sph2d_method_options, kernel), .words = kernel_words, .unit = "",
      .default_text = "wendland_c2", .feature = SPH2D_FEATURE_KERNEL, .text = "the smoothing kernel"},
-    {"state_equation", SPH2D_KEY_WORD, false, AT(sph2d_method_options, state_equation), .words = state_words,
-     .unit = "", .default_text = "linear", .feature = SPH2D_FEATURE_STATE_EQUATION,
-     .text = "p = c0^2 (rho - rho0), or Tait's with power 7"},
     {"density_diffusion", SPH2D_KEY_NUMBER, false, AT(sph2d_method_options, density_diffusion), BETWEEN(0, 1),
      .unit = "", .default_text = "0.1", .feature = SPH2D_FEATURE_DENSITY_DIFFUSION,
      .text = "delta; the diffusivity of density is delta c0 H/2"},

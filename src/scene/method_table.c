@@ -59,8 +59,8 @@ static const sph2d__method_row rows[] = {
               .source = "Lancaster & Salkauskas 1981; Lind et al. 2012; Sun et al. 2019",
               .support_ratio = 2.5,
               .max_compression = 0.01,
-              .features = HAS(OPERATORS) | HAS(STATE_EQUATION) | HAS(DENSITY_DIFFUSION) | HAS(SHIFTING) |
-                          HAS(WALL_SLIP) | HAS(OPENINGS) | HAS(WALL_FORCES),
+              .features = HAS(OPERATORS) | HAS(DENSITY_DIFFUSION) | HAS(SHIFTING) | HAS(WALL_SLIP) | HAS(OPENINGS) |
+                          HAS(WALL_FORCES),
               .wall_forms = WALL(GENERALISED)},
      .cfl = 0.25,
      .damping_hint = "more fluid.dynamic_viscosity",

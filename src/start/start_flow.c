@@ -28,8 +28,7 @@ static double bottom_of(const sph2d_sim *sim, size_t first)
  *  agree, and the column does not sink when it is released. A height s of the lattice becomes y with dy/ds = rho0/rho,
  *  where the pressure is rho0 g (S - s), S the height of the surface:
  *
- *      linear   y = c0^2/g ln((1 + g S/c0^2)/(1 + g (S - s)/c0^2))
- *      tait     y = 7/(6k) ((1 + k S)^(6/7) - (1 + k (S - s))^(6/7)),  k = 7 g/c0^2 */
+ *      y = c0^2/g ln((1 + g S/c0^2)/(1 + g (S - s)/c0^2)) */
 static sph2d_vec2 settled(const sph2d_sim *sim, size_t i, double pressure, double bottom)
 {
     const sph2d_scene *scene = &sim->scene;
@@ -40,8 +39,6 @@ static sph2d_vec2 settled(const sph2d_sim *sim, size_t i, double pressure, doubl
         return (sph2d_vec2){f->x[i], f->y[i]};
     double at_bottom = g * (head + s) / c2, at_particle = g * head / c2;
     double y = c2 / g * log((1 + at_bottom) / (1 + at_particle));
-    if (scene->method.state_equation == SPH2D_STATE_TAIT)
-        y = c2 / (6 * g) * (pow(1 + 7 * at_bottom, 6.0 / 7) - pow(1 + 7 * at_particle, 6.0 / 7));
     return (sph2d_vec2){f->x[i] - scene->gravity.x / g * (y - s), f->y[i] - scene->gravity.y / g * (y - s)};
 }
 

@@ -49,10 +49,8 @@ bool scene_is_closed(const sph2d_scene *s)
 }
 
 /** Integral of p/rho^2 over density from rest density to r rho0 [J/kg]. */
-static double elastic(sph2d_state_equation equation, double c0, double r)
+static double elastic(double c0, double r)
 {
-    if (equation == SPH2D_STATE_TAIT)
-        return c0 * c0 / 7 * ((pow(r, 6) - 1) / 6 + 1 / r - 1);
     return c0 * c0 * (log(r) + 1 / r - 1);
 }
 
@@ -75,8 +73,6 @@ double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_
 {
     if (s->method.name == SPH2D_METHOD_PCISPH)
         return 0; // held_energy() tells it, and a start's does not make the scale larger
-    const sph2d_state_equation equation =
-        s->method.name == SPH2D_METHOD_WCSPH ? s->method.state_equation : SPH2D_STATE_LINEAR;
     const bool squares = s->method.name == SPH2D_METHOD_CONSTRAINT ||
                          (s->method.name == SPH2D_METHOD_WCSPH && s->method.operators == SPH2D_OPERATORS_VARIATIONAL);
     double sum = 0;
@@ -85,7 +81,7 @@ double elastic_energy(const sph2d_scene *s, const sph2d_plan *plan, const sph2d_
         if (squares) // p = rho c0^2 ln r
             sum += pow(plan->sound_speed * log(r), 2) / 2;
         else if (fluid->pressure[i] * (r - 1) > 0) // where a method has no tension, nothing is stretched
-            sum += elastic(equation, plan->sound_speed, r);
+            sum += elastic(plan->sound_speed, r);
     }
     return plan->particle_mass * sum;
 }

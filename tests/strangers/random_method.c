@@ -51,8 +51,7 @@ static void write_wcsph(draft *d)
     d->fitted = !d->opened && (d->full ? chance(d, 0.6) : chance(d, 0.02));
     if (d->fitted) {
         fputs(", operators: fitted", d->out);
-        if (chance(d, 0.25))
-            fputs(", state_equation: tait", d->out);
+        (void)draft_next(d); /* unused: what follows is drawn as it always was */
         if (chance(d, 0.2))
             fprintf(d->out, ", density_diffusion: %.2g", between(d, 0.02, 0.3));
         if (chance(d, 0.2))

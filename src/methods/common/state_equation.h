@@ -2,13 +2,12 @@
 /** @file state_equation.h
  *  Pressure from density in method `wcsph`, and back.
  *
- *      linear   p = c0^2 (rho - rho0)
- *      tait     p = B ((rho/rho0)^7 - 1),  B = rho0 c0^2/7                    (Cole 1948; Monaghan 1994, eq. 2.1)
+ *      fitted operators        p = c0^2 (rho - rho0)
  *      variational operators   p = c0^2 rho ln(rho/rho0)
  *
- *  Both have dp/drho = c0^2 at rest density. The elastic energy per mass,
+ *  Both have dp/drho = c0^2 at rest density. The elastic energy per mass of the first,
  *
- *      e = integral of p/rho^2 drho = c0^2 (ln x + 1/x - 1)   or   c0^2/7 ((x^6 - 1)/6 + 1/x - 1),   x = rho/rho0,
+ *      e = integral of p/rho^2 drho = c0^2 (ln x + 1/x - 1),   x = rho/rho0,
  *
  *  has its minimum, 0, at rest density. */
 #ifndef SPH2D_METHODS_COMMON_STATE_EQUATION_H
@@ -28,14 +27,10 @@ static inline bool sph2d__is_logarithmic(const sph2d__system *s)
 
 static inline double sph2d__pressure_of(const sph2d__system *s, double density)
 {
-    double c2 = s->sound_speed * s->sound_speed, pressure = c2 * (density - s->rest_density);
+    double c2 = s->sound_speed * s->sound_speed;
     if (sph2d__is_logarithmic(s))
         return c2 * density * log(density / s->rest_density);
-    if (s->method.state_equation == SPH2D_STATE_TAIT) {
-        double x = density / s->rest_density, x2 = x * x, x4 = x2 * x2;
-        pressure = s->rest_density * c2 / 7 * (x4 * x2 * x - 1);
-    }
-    return pressure;
+    return c2 * (density - s->rest_density);
 }
 
 /** The inverse; at least a thousandth of the rest density, for pressures that the equation cannot give. */
@@ -48,10 +43,7 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
             x -= (x * log(x) - part) / (log(x) + 1);
         return x * s->rest_density;
     }
-    double density = s->method.state_equation == SPH2D_STATE_LINEAR
-                         ? s->rest_density + pressure / c2
-                         : s->rest_density * pow(fmax(1 + 7 * pressure / (s->rest_density * c2), 0), 1.0 / 7);
-    return fmax(density, 1e-3 * s->rest_density);
+    return fmax(s->rest_density + pressure / c2, 1e-3 * s->rest_density);
 }
 
 /** e: elastic energy per mass [J/kg]. */
@@ -61,21 +53,8 @@ static inline double sph2d__elastic_of(const sph2d__system *s, double density)
         double x = fmax(density / s->rest_density, 1);
         return s->modulus * (log(x) + 1 / x - 1);
     }
-    double c2 = s->sound_speed * s->sound_speed, x = density / s->rest_density;
-    if (s->method.state_equation == SPH2D_STATE_LINEAR)
-        return c2 * (log(x) + 1 / x - 1);
-    double x2 = x * x;
-    return c2 / 7 * ((x2 * x2 * x2 - 1) / 6 + 1 / x - 1);
-}
-
-/** dp/drho: squared speed of sound at a density [m^2/s^2]. */
-static inline double sph2d__sound_speed2_at(const sph2d__system *s, double density)
-{
-    double c2 = s->sound_speed * s->sound_speed;
-    if (s->method.state_equation == SPH2D_STATE_LINEAR)
-        return c2;
-    double x = density / s->rest_density, x2 = x * x;
-    return c2 * x2 * x2 * x2;
+    double x = density / s->rest_density;
+    return s->sound_speed * s->sound_speed * (log(x) + 1 / x - 1);
 }
 
 /** Sets the pressure of every fluid particle. */

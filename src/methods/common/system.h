@@ -87,12 +87,11 @@ typedef struct sph2d__system {
                              method books all (method.h) [N/m] */
     double step;  /**< length of the present step [s] */
     double speed; /**< largest speed of a particle at the start of the step [m/s] */
-    double max_pressure;  /**< largest pressure then, at least that of the scene's head [Pa] */
-    double spring_head;   /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
+    double max_pressure; /**< largest pressure of a particle at the start of the step, at least that of the head [Pa] */
+    double spring_head;  /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
     double spring_energy; /**< of these springs at the start [J/m] */
     double head; /**< g h + U^2/2 + work of pulls at the start, or as implied by the sound speed given [m^2/s^2] */
     double central_weight; /**< wcsph: the weight of the central form of viscosity, methods/terms/viscosity.h [1/m^2] */
-    double max_density; /**< largest density of a particle at the start of the step, at least rest density [kg/m^3] */
 
     uint64_t iterations;    /**< of the pressure solver in the last step */
     bool unconverged;       /**< the solver did not reach its tolerance */

@@ -58,9 +58,9 @@ static bool evaluate(sph2d__system *s)
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)
 {
-    double sound_speed = sqrt(sph2d__sound_speed2_at(s, s->max_density)), nu = s->viscosity / s->rest_density;
+    double nu = s->viscosity / s->rest_density;
     double viscous = s->walls_press ? VISCOUS_AT_WALLS : VISCOUS;
-    double step = sph2d__shortest_step(s, sound_speed, speed, acceleration, nu, viscous, FORCE, limit);
+    double step = sph2d__shortest_step(s, s->sound_speed, speed, acceleration, nu, viscous, FORCE, limit);
     double diffusive = DIFFUSIVE * s->support / (s->method.density_diffusion * s->sound_speed);
     if (step <= diffusive)
         return step;

@@ -110,7 +110,7 @@ static void finish(sph2d__system *s, const sph2d__group *g, const fit_sums *sums
         advection[v] = wx * dx[v] + wy * dy[v];
     for (int lane = 0; lane < g->count; ++lane) {
         size_t i = g->first + (size_t)lane;
-        double push = -sph2d__sound_speed2_at(s, f->density[i]) / f->density[i];
+        double push = -(s->sound_speed * s->sound_speed) / f->density[i];
         double own_ax = ax[lane] + push * dx[2][lane], own_ay = ay[lane] + push * dy[2][lane];
         sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &own_ax, &own_ay);
         f->ax[i] = own_ax;

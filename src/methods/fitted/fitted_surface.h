@@ -19,7 +19,8 @@ static inline double sph2d__fitted_slope(const sph2d__system *s, size_t b, doubl
     const sph2d__store *w = &s->walls;
     double gx = -w->ax[b], gy = -w->ay[b];
     sph2d__forces_add(&s->forces, (sph2d__place){at.x, at.y, w->vx[b], w->vy[b]}, &gx, &gy);
-    return density / sph2d__sound_speed2_at(s, density) * s->support * (gx * w->normal_x[b] + gy * w->normal_y[b]);
+    double c2 = s->sound_speed * s->sound_speed;
+    return density / c2 * s->support * (gx * w->normal_x[b] + gy * w->normal_y[b]);
 }
 
 #endif
