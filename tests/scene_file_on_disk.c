@@ -125,6 +125,7 @@ TCase *scene_file_on_disk(void)
     tcase_add_checked_fixture(files, make_folder, remove_folder);
     tcase_add_test(files, a_file_is_read);
     tcase_add_test(files, files_that_cannot_be_read);
+    tcase_add_loop_test(files, garbage_is_refused_soon, 0, sizeof garbage / sizeof garbage[0]);
     tcase_add_test(files, files_beyond_the_limit_are_not_read);
     return files;
 }

@@ -356,5 +356,6 @@ TCase *snapshot_refusals(void)
     tcase_add_test(refused, cut_files_are_refused);
     tcase_add_test(refused, a_single_bit_is_noticed);
     tcase_add_test(refused, the_trailer_is_a_standard_checksum);
+    tcase_add_loop_test(refused, damaged_files_do_no_harm, 0, DAMAGED_KINDS);
     return refused;
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common.h"
 #include "contact_world.h"
 #include "contacts/convex.h"
 #include "suites.h"

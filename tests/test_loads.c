@@ -82,9 +82,7 @@ static const struct {
     {"muller, heavy", SPH2D_METHOD_MULLER, SPH2D_WALL_HEAVY, SPH2D_WALL_HEAVY, SPH2D_SLIP_FREE, 0},
     {"muller, reflect", SPH2D_METHOD_MULLER, SPH2D_WALL_REFLECT, SPH2D_WALL_REFLECT, SPH2D_SLIP_FREE, 5},
     {"pcisph", SPH2D_METHOD_PCISPH, SPH2D_WALL_GENERALISED, SPH2D_WALL_GENERALISED, SPH2D_SLIP_FREE, 0},
-    {"pcisph, heavy", SPH2D_METHOD_PCISPH, SPH2D_WALL_HEAVY, SPH2D_WALL_HEAVY, SPH2D_SLIP_FREE, 0},
     {"constraint", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED, SPH2D_WALL_GENERALISED, SPH2D_SLIP_FREE, 0},
-    {"pcisph, reflect", SPH2D_METHOD_PCISPH, SPH2D_WALL_REFLECT, SPH2D_WALL_REFLECT, SPH2D_SLIP_FREE, 0},
     {"constraint, tension", SPH2D_METHOD_CONSTRAINT, SPH2D_WALL_GENERALISED, SPH2D_WALL_GENERALISED, SPH2D_SLIP_FREE,
      5},
 };
@@ -259,7 +257,7 @@ END_TEST
 
 START_TEST(work_is_that_of_the_forces)
 {
-    sph2d_sim *sim = flood_of((int[]){4, 0, 9}[_i], 1);
+    sph2d_sim *sim = flood_of((int[]){4, 0, 8}[_i], 1);
     double work[SPH2D_PROBE_MAX_COLUMNS] = {0}, force[SPH2D_PROBE_MAX_COLUMNS] = {0};
     for (int k = 0; k < 400; ++k) {
         test_steps(sim, 1);

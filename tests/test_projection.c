@@ -90,24 +90,6 @@ START_TEST(filled_lattice_has_rest_density_and_the_prototype_factor)
 }
 END_TEST
 
-/** Sides of one row of boundary particles are so far outside that a lattice has the rest density in front of them, too,
- *  and in their corners nearly so: at one spacing it would start 12 and 20 % compressed. */
-START_TEST(a_lattice_before_heavy_sides_has_rest_density)
-{
-    full_box(SPH2D_METHOD_PCISPH, 16);
-    scene.method.sound_speed = 10;
-    scene.method.kernel = (sph2d_kernel)_i;
-    scene.walls = SPH2D_WALL_HEAVY;
-    start(1);
-    const sph2d__store *f = &sim->system.fluid;
-    for (size_t i = 0; i < f->count; ++i) {
-        double x = fmin(f->x[i], 16 * DX - f->x[i]) / DX, y = fmin(f->y[i], 16 * DX - f->y[i]) / DX;
-        bool corner = fmax(x, y) < 3;
-        ck_assert_double_eq_tol(f->density[i] / RHO0, 1, corner ? 0.03 : 0.005);
-    }
-}
-END_TEST
-
 /** The default support of every kernel is wide enough that a lattice that is strained, to 0.7 and 1/0.7 spacings, tells
  *  the density that it has: sums of the kernels' formulas at the lattice's distances. */
 START_TEST(strained_lattices_have_rest_density)
@@ -187,7 +169,6 @@ static sph2d__system *disordered(void)
     obstacle = sph2d_obstacle_default();
     obstacle.shape.kind = SPH2D_SHAPE_CIRCLE;
     obstacle.shape.circle = (sph2d_circle){{0.3, 0.2}, 0.08};
-    obstacle.form = SPH2D_WALL_HEAVY;
     scene.obstacles = &obstacle;
     scene.obstacle_count = 1;
     start(1);
@@ -262,7 +243,6 @@ Suite *suite_projection(void)
     TCase *cases = tcase_create("projection");
     tcase_add_checked_fixture(cases, NULL, finish);
     tcase_add_loop_test(cases, filled_lattice_has_rest_density_and_the_prototype_factor, 0, LATTICES);
-    tcase_add_loop_test(cases, a_lattice_before_heavy_sides_has_rest_density, 0, SPH2D_KERNEL_COUNT);
     tcase_add_loop_test(cases, strained_lattices_have_rest_density, 0, SPH2D_KERNEL_COUNT);
     tcase_add_loop_test(cases, the_moment_turns_multipliers_into_pressure, 0, LATTICES);
     tcase_add_test(cases, layered_walls_fill_like_liquid);

@@ -251,8 +251,7 @@ START_TEST(what_only_reflects_is_no_wall)
     obstacles[0].shape.kind = obstacles[1].shape.kind = SPH2D_SHAPE_BOX;
     obstacles[0].shape.box = (sph2d_box){{-0.1, -0.1}, {0.3, -0.5 * DX}};
     obstacles[0].form = SPH2D_WALL_REFLECT;
-    scene.method.name = SPH2D_METHOD_PCISPH;
-    scene.method.sound_speed = 0;
+    scene.method = test_open_scene(DX, -1, -1, 1, 1).method;
     obstacles[1].shape.box = (sph2d_box){{0.5, 0.5}, {0.6, 0.6}};
     scene.obstacles = obstacles;
     scene.obstacle_count = 2;

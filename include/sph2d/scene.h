@@ -632,7 +632,7 @@ typedef struct sph2d_obstacle {
     /** Its motion; default: at rest. */
     sph2d_motion motion;
 
-    /** Form of the wall. muller: heavy or reflect; pcisph: these and generalised; the others: generalised; default: the
+    /** Form of the wall. muller: heavy or reflect; the others: generalised; default: the
      *  method's. */
     sph2d_wall_form form;
 
@@ -729,7 +729,7 @@ typedef struct sph2d_body {
     /** Contacts: normal speed after over before, 0 to 1; default 0. Of two bodies the larger one counts. */
     double restitution;
 
-    /** Form of its surface: heavy (muller, pcisph) or generalised (not muller); default: the method's. */
+    /** Form of its surface: heavy (muller) or generalised (not muller); default: the method's. */
     sph2d_wall_form form;
 
     /** Generalised only: slip or friction of liquid along it; default the scene's wall_slip. */

@@ -38,10 +38,10 @@ typedef enum sph2d_wall_form {
     SPH2D_WALL_SPRING = 1,
 
     /** One row of boundary particles, heavy enough to have rest density by themselves, which exert pressure: muller
-     *  (sides 0.5 spacings outside), pcisph (sides 0.68 by default). */
+     *  (sides 0.5 spacings outside). */
     SPH2D_WALL_HEAVY = 2,
 
-    /** Boundary particles that reflect particles within one spacing; for large steps: muller, pcisph. */
+    /** Boundary particles that reflect particles within one spacing; for large steps: muller. */
     SPH2D_WALL_REFLECT = 3,
 
     /** Layers of boundary particles: in wcsph with the liquid's pressure extrapolated hydrostatically (Adami, Hu &

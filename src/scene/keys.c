@@ -318,7 +318,7 @@ static const sph2d_key obstacle_items[] = {
          "polygon with its layers around it"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_obstacle, form), .words = wall_words, .unit = "",
      .default_text = "the method's",
-     .text = "heavy (muller, pcisph), generalised (not muller): repels by pressure; reflect (muller, pcisph): reverses "
+     .text = "heavy (muller), generalised (not muller): repels by pressure; reflect (muller): reverses "
              "velocities, for large steps"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_obstacle, restitution), BETWEEN(0, 1), .unit = "",
      .default_text = "0.5", .text = "reflect: ratio of normal speeds after and before"},
@@ -391,7 +391,7 @@ static const sph2d_key body_items[] = {
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_body, restitution), BETWEEN(0, 1), .unit = "",
      .default_text = "0", .text = "contacts: ratio of normal speeds after and before"},
     {"form", SPH2D_KEY_WORD, false, AT(sph2d_body, form), .words = wall_words, .unit = "",
-     .default_text = "the method's", .text = "heavy (muller, pcisph) or generalised (not muller)"},
+     .default_text = "the method's", .text = "heavy (muller) or generalised (not muller)"},
     {"slip", SPH2D_KEY_WORD, false, AT(sph2d_body, slip), .words = wall_slip_words, .unit = "",
      .default_text = "the scene's wall_slip", .feature = SPH2D_FEATURE_WALL_SLIP,
      .text = "generalised: free slip, no slip (none), or friction by the law of the wall (smooth)"},

@@ -95,7 +95,7 @@ static const sph2d__method_row rows[] = {
               .max_compression = 0.01,
               .features = HAS(KERNEL) | HAS(MAX_ITERATIONS) | HAS(ARTIFICIAL_VISCOSITY) | HAS(SURFACE_TENSION) |
                           HAS(FREE_SURFACE) | HAS(BODIES) | HAS(WALL_FORCES),
-              .wall_forms = WALL(HEAVY) | WALL(GENERALISED) | WALL(REFLECT)},
+              .wall_forms = WALL(GENERALISED)},
      .artificial_viscosity = 0.1,
      .free_compression = true,
      .sound_compression = 0.1, /* the iteration keeps max_compression */

@@ -3,7 +3,6 @@
  *  Walls of a scene: boundary particles along obstacles and sides, barriers for continuous collision, springs. */
 #include <math.h>
 
-#include "kernels/kernel.h"
 #include "kernels/muller.h"
 #include "scene/bodies.h"
 #include "scene/liquid_side.h"
@@ -53,42 +52,32 @@ static sph2d_status place_piece(sph2d_sim *sim, const wall_piece *piece, sph2d_r
     return SPH2D_OK;
 }
 
-/** Kernel sum over a straight row of particles, one spacing apart, at a distance [spacings]: by the kernel of the
- *  method's density. */
-static double row_sum(const sph2d_method_options *m, double distance)
+/** Kernel sum over a straight row of particles, one spacing apart, at a distance [spacings]. */
+static double row_sum(double support_ratio, double distance)
 {
-    int reach = (int)m->support_ratio + 1;
-    double sum = 0, support2 = m->support_ratio * m->support_ratio;
+    int reach = (int)support_ratio + 1;
+    double sum = 0;
     for (int i = -reach; i <= reach; ++i)
-        sum += m->name == SPH2D_METHOD_MULLER
-                   ? sph2d__poly6_shape(support2, i * i + distance * distance)
-                   : sph2d__kernel_value_at(m->kernel, hypot(i, distance) / m->support_ratio);
+        sum += sph2d__poly6_shape(support_ratio * support_ratio, i * i + distance * distance);
     return sum;
 }
 
 /** Distance of a single row of boundary particles behind the surface of a wall [spacings]. A row with rest density by
- *  itself (Akinci et al. 2012, eq. 4) represents all rows behind it. With methods that sum density over liquid and walls,
- *  its distance from a lattice, which ends half a spacing before the surface, must give the first row of liquid the rest
- *  density, too; by default it is 1.18 spacings. At one spacing liquid would start 12 % compressed along its walls, and
- *  20 % in corners. */
+ *  itself (Akinci et al. 2012, eq. 4) represents all rows behind it. Its distance from a lattice, which ends half a spacing
+ *  before the surface, must give the first row of liquid the rest density, too; by default it is 1.19 spacings. */
 static double row_offset(const sph2d_sim *sim)
 {
-    const sph2d_method_options *m = &sim->scene.method;
-    double behind = 0, row = row_sum(m, 0), lattice = row;
-    for (int k = 1; k <= (int)m->support_ratio + 1; ++k)
-        behind += row_sum(m, k);
+    const double ratio = sim->scene.method.support_ratio;
+    double behind = 0, row = row_sum(ratio, 0), lattice = row;
+    for (int k = 1; k <= (int)ratio + 1; ++k)
+        behind += row_sum(ratio, k);
     lattice += 2 * behind;
     double low = 0.5, high = 2; /* the sum over the wall's row falls with the distance */
     for (int n = 0; n < 50; ++n) {
         double gap = (low + high) / 2;
-        *(row_sum(m, gap) * lattice / row > behind ? &low : &high) = gap;
+        *(row_sum(ratio, gap) * lattice / row > behind ? &low : &high) = gap;
     }
     return low - SIDE_OFFSET;
-}
-
-static double side_offset(const sph2d_sim *sim)
-{
-    return sim->method->project && sim->scene.walls == SPH2D_WALL_HEAVY ? row_offset(sim) : SIDE_OFFSET;
 }
 
 bool sph2d__has_inset_row(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
@@ -188,7 +177,7 @@ static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d
         return SPH2D_NOMEM;
     if (sim->scene.walls == SPH2D_WALL_SPRING || sim->scene.walls == SPH2D_WALL_GENERALISED)
         return SPH2D_OK;
-    double d = side_offset(sim) * sim->scene.spacing;
+    double d = SIDE_OFFSET * sim->scene.spacing;
     wall_piece piece = {{{a.x + d * shift.x, a.y + d * shift.y}, {b.x + d * shift.x, b.y + d * shift.y}},
                         sim->scene.walls,
                         sph2d_obstacle_default().restitution,

@@ -148,7 +148,7 @@ static void write_surface(draft *d)
         fprintf(d->out, "    form: %s\n",
                 is(d, "muller")  ? "heavy"
                 : is(d, "wcsph") ? "generalised"
-                                 : ONE_OF(d, "heavy", "generalised"));
+                                 : ONE_OF(d, "generalised"));
 }
 
 void write_bodies(draft *d, const places *taken, int first)

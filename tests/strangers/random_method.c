@@ -126,10 +126,9 @@ void write_walls(draft *d)
     }
     if (chance(d, 0.2)) {
         const char *form = soft              ? ONE_OF(d, "spring", "heavy")
-                           : is(d, "pcisph") ? ONE_OF(d, "heavy", "generalised")
+                           : is(d, "pcisph") ? ONE_OF(d, "generalised")
                                              : "generalised";
         fprintf(d->out, "walls: %s\n", form);
-        d->layered = strcmp(form, "generalised") == 0;
         if (soft && form[0] == 's' && chance(d, 0.5))
             fprintf(d->out, "wall_damping: %.2g\n", between(d, 0, 1));
     }

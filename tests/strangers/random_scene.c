@@ -254,9 +254,7 @@ static void write_obstacles(draft *d, places *taken)
         const bool own_form = !d->gridded && chance(d, 0.3);
         if (own_form)
             fprintf(d->out, "    form: %s\n",
-                    is(d, "muller")  ? ONE_OF(d, "heavy", "reflect")
-                    : is(d, "wcsph") ? ONE_OF(d, "generalised")
-                                     : ONE_OF(d, "heavy", "generalised", "reflect"));
+                    is(d, "muller") ? ONE_OF(d, "heavy", "reflect") : ONE_OF(d, "generalised"));
         if (!own_form && is(d, "wcsph") && !d->fitted && chance(&aside, 0.3))
             fprintf(d->out, "    slip: %s\n", ONE_OF(&aside, "free", "none", "smooth"));
         if (chance(d, 0.25))

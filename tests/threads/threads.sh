@@ -73,7 +73,7 @@ fi
 
 # Methods, and keys that change what they do.
 methods=('hybrid' 'muller' 'muller walls=reflect' 'wcsph' 'wcsph wall_slip=smooth'
-    'pcisph walls=reflect' 'pcisph method.time_step=5e-4' 'constraint' 'constraint method.artificial_viscosity=0')
+    'pcisph' 'pcisph method.time_step=5e-4' 'constraint' 'constraint method.artificial_viscosity=0')
 if [ "$only" != suites ]; then
     for method in "${methods[@]}"; do
         read -ra words <<<"$method"

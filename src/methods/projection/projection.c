@@ -239,26 +239,6 @@ double sph2d__projection_prototype(const sph2d__system *s)
     return g * g * sum_lattice(s).square;
 }
 
-/** m_b = rho0 / (c sum_b' W(r_bb')) where the wall is one row of boundary particles (Akinci et al. 2012, eq. 4); those
- *  of layers have their mass by their area. */
-static void weigh_rows(sph2d__system *s, double lattice)
-{
-    sph2d__store *w = &s->walls;
-    for (size_t b = 0; b < w->count; ++b) {
-        if (w->bounce[b] >= 0 || w->mass[b] > 0)
-            continue;
-        sph2d__ranges ranges;
-        sph2d__cells_ranges(&s->wall_cells, sph2d__cells_find(&s->wall_cells, w->x[b], w->y[b]), &ranges);
-        double sum = 0;
-        SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
-            double dx = w->x[b] + ranges.x[r] - w->x[j], dy = w->y[b] + ranges.y[r] - w->y[j];
-            if (w->bounce[j] < 0)
-                sum += sph2d__kernel_value_at(s->method.kernel, hypot(dx, dy) / s->support);
-        }
-        w->mass[b] = s->mass * lattice / sum;
-    }
-}
-
 /** What a lattice in front of a straight wall adds to the density at a boundary particle, over rest density. */
 static double filled_at(const sph2d__system *s, double depth)
 {
@@ -271,14 +251,14 @@ static double filled_at(const sph2d__system *s, double depth)
     return s->calibration * sph2d__kernel_constant(s->method.kernel) * ratio * ratio * sum;
 }
 
-/** Boundary particles of layers have rows, but in corners, where the surface is not straight. Those of the domain's
+/** Boundary particles have rows, but in corners, where the surface is not straight. Those of the domain's
  *  sides know the room around them, those of obstacles take their surface for straight. */
 static void fill_layers(sph2d__system *s)
 {
     sph2d__store *w = &s->walls;
     double scale = s->calibration * sph2d__kernel_constant(s->method.kernel);
     for (size_t b = 0; b < w->count; ++b) {
-        bool straight = w->bounce[b] < 0 && w->depth[b] > 0 && w->depth[b] < INFINITY;
+        bool straight = w->depth[b] > 0 && w->depth[b] < INFINITY;
         double room = w->filling[b];
         w->filling[b] = !straight ? 0 : room > 0 ? scale * room : filled_at(s, w->depth[b]);
     }
@@ -290,6 +270,5 @@ void sph2d__projection_prepare(sph2d__system *s)
     double constant = sph2d__kernel_constant(s->method.kernel), ratio = s->spacing / s->support;
     s->calibration = 1 / (ratio * ratio * constant * sums.value);
     s->moment = s->calibration * ratio * ratio * constant * sums.moment / 2;
-    weigh_rows(s, sums.value);
     fill_layers(s);
 }

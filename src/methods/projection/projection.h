@@ -22,15 +22,15 @@
  *  7 % are left (a kernel's weights leave up to a quarter of those that alternate by rows). p itself acts, and the
  *  solver goes on from it.
  *
- *  Boundary particles of layers have rows of their own, with what liquid adds there instead of a density:
+ *  Boundary particles have rows of their own, with what liquid adds there instead of a density:
  *
  *      (D u)_b  = sum_j G_jb . (u_j - u_b)                                 rate of g_b
  *      g_b      = (m_b/m) (c sum_j m W(r_bj)/rho0 - filled_b)
  *
  *  where filled_b is that sum for a lattice that fills the room in front of the wall. Their pressure is what
  *  holds liquid off the wall (pressure boundaries, Band et al. 2018); without it the first row of liquid has twice the
- *  pressure of the second. A wall of a single row has none: there liquid particles see their own pressure in it (Akinci
- *  et al. 2012, eq. 7). */
+ *  pressure of the second. In corners, where no surface is straight, they have none: there liquid particles see their
+ *  own pressure in them (Akinci et al. 2012, eq. 7). */
 #ifndef SPH2D_METHODS_PROJECTION_PROJECTION_H
 #define SPH2D_METHODS_PROJECTION_PROJECTION_H
 
@@ -85,8 +85,7 @@ double sph2d__projection_step(const sph2d__system *system, double speed, double 
 /** sum |G|^2 of a particle in a filled square lattice of the system's spacing [1/m^2]. */
 double sph2d__projection_prototype(const sph2d__system *system);
 
-/** Gives boundary particles of one row the mass with which the boundary alone has the rest density at them, and sets
- *  the calibration c. */
+/** Sets the calibration c, and what fills the room in front of boundary particles. */
 void sph2d__projection_prepare(sph2d__system *system);
 
 /** The arrays that this needs, besides those of the method. */

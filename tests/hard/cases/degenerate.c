@@ -100,12 +100,9 @@ static void bounce(outcome *o, const char *form)
 
 static void walls(outcome *o)
 {
-    if (o->method == MULLER)
-        bounce(o, "spring");
-    if (o->method != WCSPH && o->method != CONSTRAINT)
-        bounce(o, "heavy");
-    if (o->method != WCSPH && o->method != CONSTRAINT)
-        bounce(o, "reflect");
+    static const char *const forms[] = {"spring", "heavy", "reflect"};
+    for (int k = 0; k < 3 && o->method == MULLER; ++k)
+        bounce(o, forms[k]);
     if (o->method != MULLER)
         bounce(o, "generalised");
 }

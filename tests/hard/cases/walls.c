@@ -111,7 +111,7 @@ static void jet_on(outcome *o, const char *which, const char *form, sph2d_vec2 a
 static void tunnel(outcome *o)
 {
     const char *forms[2] = {o->method == MULLER ? "heavy" : "generalised", "reflect"};
-    for (int k = 0; k < (o->method == WCSPH || o->method == CONSTRAINT ? 1 : 2); ++k) {
+    for (int k = 0; k < (o->method == MULLER ? 2 : 1); ++k) {
         jet_on(o, "wall", forms[k], (sph2d_vec2){0.5, 0}, (sph2d_vec2){0.5, 1});
         jet_on(o, "edge", forms[k], (sph2d_vec2){0.6, 0.5}, (sph2d_vec2){0.9, 0.5});
     }
@@ -146,12 +146,9 @@ static void overlap(outcome *o, const char *form)
 
 static void overlapping(outcome *o)
 {
-    if (o->method == MULLER)
-        overlap(o, "spring");
-    if (o->method != WCSPH && o->method != CONSTRAINT)
-        overlap(o, "heavy");
-    if (o->method != WCSPH && o->method != CONSTRAINT)
-        overlap(o, "reflect");
+    static const char *const forms[] = {"spring", "heavy", "reflect"};
+    for (int k = 0; k < 3 && o->method == MULLER; ++k)
+        overlap(o, forms[k]);
     if (o->method != MULLER)
         overlap(o, "generalised");
 }
