@@ -11,7 +11,6 @@
 
 #include "time_limits.h"
 
-/** Knuth's linear congruential generator (MMIX), upper bits. */
 TCase *test_long(Suite *suite)
 {
     TCase *tests = tcase_create("long");
@@ -20,6 +19,7 @@ TCase *test_long(Suite *suite)
     return tests;
 }
 
+/** Knuth's linear congruential generator (MMIX), upper bits. */
 double test_random(uint64_t *state, double low, double high)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;

@@ -38,7 +38,7 @@ hid_t open_for_change(const char *path);
 void close_and_seal(hid_t file, const char *path);
 
 /** The tests of files that are refused, and of those refused for how or where they keep their data. */
-TCase *snapshot_refusals(void);
+void snapshot_refusals(Suite *suite);
 TCase *snapshot_storage(void);
 
 #endif

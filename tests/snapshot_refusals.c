@@ -346,7 +346,7 @@ START_TEST(damaged_files_do_no_harm)
 }
 END_TEST
 
-TCase *snapshot_refusals(void)
+void snapshot_refusals(Suite *suite)
 {
     TCase *refused = tcase_create("refused");
     tcase_add_checked_fixture(refused, snapshot_set_up, snapshot_tear_down);
@@ -356,6 +356,8 @@ TCase *snapshot_refusals(void)
     tcase_add_test(refused, cut_files_are_refused);
     tcase_add_test(refused, a_single_bit_is_noticed);
     tcase_add_test(refused, the_trailer_is_a_standard_checksum);
-    tcase_add_loop_test(refused, damaged_files_do_no_harm, 0, DAMAGED_KINDS);
-    return refused;
+    suite_add_tcase(suite, refused);
+    TCase *slow = test_long(suite);
+    tcase_add_checked_fixture(slow, snapshot_set_up, snapshot_tear_down);
+    tcase_add_loop_test(slow, damaged_files_do_no_harm, 0, DAMAGED_KINDS);
 }

@@ -180,11 +180,11 @@ Suite *suite_gaps(void)
 {
     Suite *suite = suite_create("gaps");
     TCase *tests = tcase_create("gaps");
-    tcase_add_loop_test(tests, a_body_on_the_floor_of_a_full_tank_has_its_buoyancy, 0, METHODS);
     tcase_add_loop_test(tests, a_gap_with_a_dry_end_has_no_pressure, 0, METHODS);
     tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, METHODS);
     suite_add_tcase(suite, tests);
     TCase *slow = test_long(suite);
+    tcase_add_loop_test(slow, a_body_on_the_floor_of_a_full_tank_has_its_buoyancy, 0, METHODS);
     tcase_add_loop_test(slow, a_light_body_rises_from_the_floor, SPH2D_METHOD_WCSPH, METHODS);
     tcase_add_loop_test(slow, a_gap_presses_two_bodies_apart_alike, 0, METHODS);
     return suite;

@@ -215,6 +215,35 @@ START_TEST(an_obstacle_turns_about_its_centroid)
 }
 END_TEST
 
+START_TEST(corners_of_shapes)
+{
+    sph2d_vec2 ends[] = {{0, 1}, {2, 1}, {2, 2}}, c[64];
+    const sph2d_shape box = {.kind = SPH2D_SHAPE_BOX, .box = {{1, 2}, {3, 6}}};
+    const sph2d_shape open = {.kind = SPH2D_SHAPE_POLYLINE, .points = {ends, 3}};
+    const sph2d_shape arc = {.kind = SPH2D_SHAPE_ARC, .arc = {{1, 1}, 2, 0, TEST_PI / 2}};
+    sph2d_shape circle = {.kind = SPH2D_SHAPE_CIRCLE, .circle = {{3, 4}, 2}};
+    ck_assert_uint_eq(sph2d_shape_corners(&box, 1, c), 4);
+    ck_assert(c[0].x == 1 && c[0].y == 2 && c[1].x == 3 && c[1].y == 2 && c[2].y == 6 && c[3].x == 1);
+    ck_assert_uint_eq(sph2d_shape_corners(&open, 1, c), 3);
+    ck_assert(c[0].y == 1 && c[2].x == 2 && c[2].y == 2);
+    ck_assert_uint_eq(sph2d_shape_corners(&arc, 0.2, c), 17); /* pi/0.2 = 15.7 pieces */
+    for (int k = 0; k < 17; ++k)
+        ck_assert_double_eq_tol(hypot(c[k].x - 1, c[k].y - 1), 2, 1e-14);
+    ck_assert(fabs(c[0].x - 3) < 1e-14 && fabs(c[16].y - 3) < 1e-14);
+    const size_t count = sph2d_shape_corners(&circle, 0.5, c);
+    ck_assert_uint_eq(count, 26); /* 4 pi/0.5 = 25.1 */
+    double area = 0;
+    for (size_t k = 0; k < count; ++k) {
+        const sph2d_vec2 a = c[k], b = c[(k + 1) % count];
+        area += ((a.x - 3) * (b.y - 4) - (b.x - 3) * (a.y - 4)) / 2;
+    }
+    ck_assert_double_eq_tol(area, 4 * TEST_PI, 1e-12);
+    circle.circle.radius = NAN;
+    ck_assert_uint_eq(sph2d_shape_corners(&circle, 0.5, NULL), 8);
+    ck_assert_uint_eq(sph2d_shape_corners(&box, 0, NULL), 0);
+}
+END_TEST
+
 /* A blade from the origin to (1, 0) that turns by half a turn in one drift takes a particle above it along, and lets one
  * beyond its end alone: a straight sweep of the frame would see neither. */
 START_TEST(a_blade_that_turns_sweeps_arcs)
@@ -277,6 +306,7 @@ Suite *suite_pose(void)
     tcase_add_test(tests, cubics_follow_a_sine);
     tcase_add_test(tests, a_ramp_starts_at_rest_and_ends_at_full_size);
     tcase_add_test(tests, an_obstacle_turns_about_its_centroid);
+    tcase_add_test(tests, corners_of_shapes);
     tcase_add_test(tests, a_blade_that_turns_sweeps_arcs);
     tcase_add_test(tests, a_wall_that_moves_takes_a_particle_along);
     suite_add_tcase(suite, tests);

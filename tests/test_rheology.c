@@ -372,14 +372,14 @@ Suite *suite_rheology(void)
     tcase_add_test(test, power_law);
     tcase_add_test(test, carreau);
     tcase_add_test(test, herschel_bulkley);
-    tcase_add_test(test, bingham_has_a_plug);
-    tcase_add_test(test, carreau_is_between_its_viscosities);
     tcase_add_test(test, a_lid_drags_what_only_shear_makes_thick);
     tcase_add_test(test, images_turn_with_their_wall);
-    tcase_add_test(test, stiffer_mud_goes_less_far);
     tcase_add_loop_test(test, bad_liquids_are_refused, 0, FAULTS);
     suite_add_tcase(suite, test);
     TCase *slow = test_long(suite);
+    tcase_add_test(slow, bingham_has_a_plug);
+    tcase_add_test(slow, carreau_is_between_its_viscosities);
+    tcase_add_test(slow, stiffer_mud_goes_less_far);
     tcase_add_loop_test(slow, a_power_law_has_its_profile, 0, 2);
     tcase_add_test(slow, threads_and_resumed_runs_give_the_same_bits);
     return suite;

@@ -45,9 +45,13 @@ static const struct fault {
     {DOMAIN BLOCKS, SPH2D_CODE_MISSING_KEY, "spacing", 0, 0, "'spacing' must be given", "in m"},
     {"domain: {min: [0, 0]}\n" SPACING BLOCKS, SPH2D_CODE_MISSING_KEY, "domain.max", 1, 9, "'max' must be given", ""},
     {DOMAIN SPACING "blocks:\n  - box: {min: [0, 0], max: [0.4, 0.8]}\n    disc: {center: [0, 0], radius: 1}\n",
-     SPH2D_CODE_CONFLICT, "blocks[0].disc", 5, 5, "'disc' excludes 'box' on line 4", "one of box, circle, polygon"},
+     SPH2D_CODE_CONFLICT, "blocks[0].circle", 5, 5, "'disc' excludes 'box' on line 4", "one of box, circle, polygon"},
     {DOMAIN SPACING "blocks:\n  - velocity: [0, 0]\n", SPH2D_CODE_MISSING_KEY, "blocks[0]", 4, 5, "has no shape",
      "box, circle, polygon"},
+    {"domain: {min: [0.2, 0.2], max: [1, 1]}\n" SPACING "blocks:\n  - disc: {radius: 0.1}\n", SPH2D_CODE_MISSING_KEY,
+     "blocks[0].circle.center", 4, 11, "'center' must be given", "centre"}, /* and nothing of where it is then */
+    {DOMAIN SPACING "blocks:\n  - box: {min: [0, 0], max: [0.4, 0.8]}\n    disk: {radius: 0.1}\n",
+     SPH2D_CODE_UNKNOWN_KEY, "blocks[0].disk", 5, 5, "unknown key 'disk'", "did you mean 'disc'?"},
     {DOMAIN SPACING "blocks:\n  - disc: {center: [0.2, 0.2], radius: 0}\n", SPH2D_CODE_OUT_OF_RANGE,
      "blocks[0].circle.radius", 4, 40, "must be above 0", ""}, /* a word for the same */
     {DOMAIN SPACING

@@ -468,7 +468,7 @@ Suite *suite_snapshot(void)
     tcase_add_test(back, the_layout_is_what_other_programs_expect);
     tcase_add_test(back, a_draft_becomes_a_snapshot_when_it_is_told);
     suite_add_tcase(suite, back);
-    suite_add_tcase(suite, snapshot_refusals());
+    snapshot_refusals(suite);
     suite_add_tcase(suite, snapshot_storage());
     TCase *unwritable = tcase_create("unwritable");
     tcase_add_checked_fixture(unwritable, snapshot_set_up, snapshot_tear_down);

@@ -1017,8 +1017,9 @@ SPH2D_API sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report 
  *  NULL. */
 SPH2D_API sph2d_vec2 sph2d_shape_centroid(const sph2d_shape *shape);
 
-/** The number of corners of a shape, and, where `corners` is not NULL, these, in the order of its line [m]: those of circles
- *  and arcs, which become chords, are no further apart than `spacing` [m]. 0 for NULL and shapes without points. */
+/** The number of corners of a shape, and, where `corners` is not NULL, these, in the order of its line [m]: of an arc points
+ *  along it, of a circle the corners of the regular polygon of its area, which are outside of it, both as many as pieces no
+ *  longer than `spacing` [m] need. 0 for NULL, a `spacing` that is not above 0, and shapes without points. */
 SPH2D_API size_t sph2d_shape_corners(const sph2d_shape *shape, double spacing, sph2d_vec2 *corners);
 
 /** Seconds between outputs [s]; 0 for none. */

@@ -56,14 +56,23 @@ bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t
     return true;
 }
 
-bool sph2d__room_for_one(sph2d__memory *memory, void **list, size_t count, size_t *room, size_t size)
+static void *load_pointer(const void *slot)
+{
+    void *pointer;
+    memcpy(&pointer, slot, sizeof pointer);
+    return pointer;
+}
+
+bool sph2d__room_for_one(sph2d__memory *memory, void *slot, size_t count, size_t *room, size_t size)
 {
     enum { FIRST = 64 };
     if (count < *room)
         return true;
     size_t more = *room > 0 ? 2 * *room : FIRST;
-    if (!sph2d__resize(memory, list, *room, more, size))
+    void *list = load_pointer(slot);
+    if (!sph2d__resize(memory, &list, *room, more, size))
         return false;
+    memcpy(slot, &list, sizeof list);
     *room = more;
     return true;
 }
@@ -78,13 +87,6 @@ void sph2d__release(sph2d__memory *memory, void **block, size_t count, size_t si
 {
     if (*block)
         sph2d__resize(memory, block, count, 0, size);
-}
-
-static void *load_pointer(const void *slot)
-{
-    void *pointer;
-    memcpy(&pointer, slot, sizeof pointer);
-    return pointer;
 }
 
 bool sph2d__grow_all(sph2d__memory *memory, const sph2d__growth *blocks, size_t count, size_t old_count,

@@ -25,8 +25,9 @@ void *sph2d__alloc(sph2d__memory *memory, size_t count, size_t size);
 /** Resizes *block from `old_count` to `new_count` items, zeroing the new ones. *block is unchanged on failure. */
 bool sph2d__resize(sph2d__memory *memory, void **block, size_t old_count, size_t new_count, size_t size);
 
-/** Makes room in *list for one item more than `count`, doubling `*room` when it is full; false when memory is short. */
-bool sph2d__room_for_one(sph2d__memory *memory, void **list, size_t count, size_t *room, size_t size);
+/** Makes room for one item more than `count` in the list whose pointer is at `slot`, doubling `*room` when it is full; false
+ *  when memory is short. */
+bool sph2d__room_for_one(sph2d__memory *memory, void *slot, size_t count, size_t *room, size_t size);
 
 /** One of several blocks that grow together. */
 typedef struct sph2d__growth {

@@ -75,6 +75,8 @@ void sph2d__suggest_key(sph2d_diagnostic *diagnostic, const char *name, const sp
     char list[sizeof diagnostic->hint - 16] = "";
     for (size_t i = 0; i < keys->count; ++i) {
         update_best(&best, name, keys->items[i].name);
+        if (keys->items[i].also)
+            update_best(&best, name, keys->items[i].also);
         append_word(list, sizeof list, keys->items[i].name);
     }
     if (best.text) {

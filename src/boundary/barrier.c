@@ -12,8 +12,7 @@ static const double TOUCH = 1 - 1e-6;
 
 bool sph2d__barrier_add(sph2d__barrier *barrier, sph2d__segment segment, sph2d__memory *memory)
 {
-    if (!sph2d__room_for_one(memory, (void **)&barrier->segments, barrier->count, &barrier->capacity,
-                             sizeof *barrier->segments))
+    if (!sph2d__room_for_one(memory, &barrier->segments, barrier->count, &barrier->capacity, sizeof *barrier->segments))
         return false;
     double ex = segment.b.x - segment.a.x, ey = segment.b.y - segment.a.y, length = hypot(ex, ey);
     barrier->segments[barrier->count++] = (sph2d__piece){segment, {ex / length, ey / length}, length, barrier->wall};

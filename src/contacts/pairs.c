@@ -44,8 +44,7 @@ static sph2d_status add_images(sph2d__contacts *c, uint32_t body, double width, 
             if ((i == 0 && j == 0) || !overlap(&image.box, reach))
                 continue;
             if (!sph2d__place_corners(c, &image) ||
-                !sph2d__room_for_one(&c->memory, (void **)&c->placed, c->placed_count, &c->placed_room,
-                                     sizeof *c->placed))
+                !sph2d__room_for_one(&c->memory, &c->placed, c->placed_count, &c->placed_room, sizeof *c->placed))
                 return SPH2D_NOMEM;
             c->placed[c->placed_count++] = image;
         }
@@ -99,7 +98,7 @@ static sph2d_status add_pair(sph2d__contacts *c, uint32_t a, uint32_t b)
 {
     if (!meet(c, &c->placed[a], &c->placed[b]))
         return SPH2D_OK;
-    if (!sph2d__room_for_one(&c->memory, (void **)&c->pairs, c->pair_count, &c->pair_room, sizeof *c->pairs))
+    if (!sph2d__room_for_one(&c->memory, &c->pairs, c->pair_count, &c->pair_room, sizeof *c->pairs))
         return SPH2D_NOMEM;
     c->pairs[c->pair_count++] = (sph2d__pair){a, b};
     return SPH2D_OK;

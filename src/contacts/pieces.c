@@ -20,7 +20,8 @@ static cpVect vector(sph2d_vec2 v)
 
 static bool is_open(const sph2d__placed *placed)
 {
-    return placed->shape->kind >= SPH2D_SHAPE_LINE;
+    const sph2d_shape_kind kind = placed->shape->kind;
+    return kind == SPH2D_SHAPE_LINE || kind == SPH2D_SHAPE_POLYLINE || kind == SPH2D_SHAPE_ARC;
 }
 
 /** Whether a corner is, but for rounding, on the line between its neighbours. */

@@ -10,8 +10,7 @@
 static sph2d_status add(sph2d__contacts *c, const sph2d__placed *a, const sph2d__placed *b, sph2d_vec2 normal,
                         sph2d_vec2 at, double gap)
 {
-    if (!sph2d__room_for_one(&c->memory, (void **)&c->contacts, c->contact_count, &c->contact_room,
-                             sizeof *c->contacts))
+    if (!sph2d__room_for_one(&c->memory, &c->contacts, c->contact_count, &c->contact_room, sizeof *c->contacts))
         return SPH2D_NOMEM;
     sph2d__contact *contact = &c->contacts[c->contact_count++];
     const sph2d_body *first = &c->scene->bodies[a->number];

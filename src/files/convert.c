@@ -256,8 +256,8 @@ void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys,
     }
     for (const sph2d__node *child = mapping->first; child; child = child->next) {
         char child_path[SPH2D__PATH_SIZE];
-        join(child_path, path, child->key);
         size_t index = key_index(keys, child->key);
+        join(child_path, path, index < key_count(keys) ? keys->items[index].name : child->key);
         if (index == key_count(keys)) {
             report_unknown(converter, &m, child, child_path);
         } else if (m.given[index] == child) {

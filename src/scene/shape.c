@@ -241,7 +241,7 @@ size_t sph2d__shape_pieces(const sph2d_shape *shape, double spacing)
         return 4;
     if (shape->kind == SPH2D_SHAPE_CIRCLE) {
         double pieces = ceil(2 * SPH2D__PI * shape->circle.radius / spacing);
-        return pieces < 8 ? 8 : pieces > 4e9 ? (size_t)4e9 : (size_t)pieces;
+        return !(pieces > 8) ? 8 : pieces > 4e9 ? (size_t)4e9 : (size_t)pieces;
     }
     if (shape->kind == SPH2D_SHAPE_ARC)
         return arc_pieces(&shape->arc, spacing);

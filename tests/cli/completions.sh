@@ -1,5 +1,5 @@
 #!/bin/bash
-# Completion in interactive shells on a pseudo terminal: bash with and without the package bash-completion, and zsh, as
+# Long: completion in interactive shells on a pseudo terminal: bash with and without the package bash-completion, and zsh, as
 # far as they are installed. What is offered is what the help of the command has.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# render --film: pixels go to ffmpeg, in order, and a film is there when it is whole.
+# Long: render --film: pixels go to ffmpeg, in order, and a film is there when it is whole.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 expect 0 "$SPH2D" run "$TINY" -o folder -q --no-frames

@@ -1,5 +1,5 @@
 #!/bin/sh
-# play opens a window, follows mouse and keys, and says what is missing where it cannot.
+# Long: play opens a window, follows mouse and keys, and says what is missing where it cannot.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 if "$SPH2D" play "$TINY" --max-wall 1s 2>&1 | grep -q 'has no windows'; then

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The page of all studies, from one of them: table for the docs, links, a section, going on.
+# Long: the page of all studies, from one of them: table for the docs, links, a section, going on.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 

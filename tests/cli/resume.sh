@@ -1,5 +1,5 @@
 #!/bin/sh
-# A run that was stopped and goes on leaves the same folder, byte for byte, as one that never stopped.
+# Long: a run that was stopped and goes on leaves the same folder, byte for byte, as one that never stopped.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# A study whose rows are run by several processes on one folder: together they come to what one process does, whoever of
+# Long: a study whose rows are run by several processes on one folder: together they come to what one process does, whoever of
 # them is killed, comes twice or comes last.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"

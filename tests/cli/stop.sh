@@ -1,5 +1,5 @@
 #!/bin/sh
-# Signals in the middle of a run: the first one finishes the step and writes a checkpoint, a kill leaves whole files, and
+# Long: signals in the middle of a run: the first one finishes the step and writes a checkpoint, a kill leaves whole files, and
 # in all cases resume comes to the same folder.
 # shellcheck disable=SC1091
 . "$SPH2D_ROOT/tests/cli/common"

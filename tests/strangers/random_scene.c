@@ -328,13 +328,18 @@ enum { WITH_THICK = 3001 };
 /* From this one on they are by method hybrid, as the first. */
 enum { WITH_GRID = 4001 };
 
+/* From this one on they are of one of these kinds, by turns. */
+enum { OF_ANY_KIND = 5001 };
+
 void random_scene_write(uint64_t seed, FILE *out)
 {
-    const bool gridded = seed >= WITH_GRID, thick = seed >= WITH_THICK && !gridded;
-    const bool opened = seed >= WITH_OPENINGS && !thick && !gridded;
+    static const uint64_t kinds[] = {WITHOUT_BODIES, WITHOUT_BODIES + 1, WITH_OPENINGS, WITH_THICK, WITH_GRID};
+    const uint64_t like = seed < OF_ANY_KIND ? seed : kinds[seed % (sizeof kinds / sizeof *kinds)];
+    const bool gridded = like >= WITH_GRID, thick = like >= WITH_THICK && !gridded;
+    const bool opened = like >= WITH_OPENINGS && !thick && !gridded;
     draft d = {.out = out,
                .random = seed * 0x2545f4914f6cdd1du,
-               .bodied = seed > WITHOUT_BODIES && !thick && !gridded,
+               .bodied = like > WITHOUT_BODIES && !thick && !gridded,
                .opened = opened,
                .thick = thick,
                .gridded = gridded};
