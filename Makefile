@@ -44,7 +44,7 @@ HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
 
 # ---- first reading, for the goals that set up the machine ------------------------------------------------------------
 # They install what is missing before flags are asked of pkg-config; the work is done by a second reading of this file.
-ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-variants test-ports test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
+ifneq ($(if $(PACKAGES_CHECKED),,$(filter demo test test-full test-variants check-lint test-ports test-sanitize test-fuzz coverage report report-full test-slurm web test-web,$(MAKECMDGOALS))),)
 
 # All processors, unless told otherwise or told to clean first.
 jobs = $(if $(or $(findstring -j,$(MAKEFLAGS)),$(filter clean,$(MAKECMDGOALS))),,-j"$$(nproc)")

@@ -23,6 +23,7 @@ missing_tools() {
         has xdotool || echo xdotool
         has ffmpeg || echo ffmpeg
     fi
+    ! asked check-lint || for tool in clang-format clang-tidy shellcheck; do has $tool || echo $tool; done
     ! asked test-slurm || [ "$(id -u)" != 0 ] || has sbatch || printf 'slurm-wlm\nmunge\n'
     ! asked test-variants test-ports || tests/ports/ports.sh --needs
     ! asked web test-web || has emcc || printf '%s\n' emscripten node-acorn xz-utils dpkg-dev ca-certificates
@@ -59,7 +60,7 @@ if [ "$(id -u)" = 0 ]; then root=; else root='sudo -n'; fi
 # Without NumPy the tests of the Python module are left out, without h5py and gnuplot those of recipes, without GLFW there is
 # no `play`, without a display no test of it, without ffmpeg none of films, without compilers for other machines none of
 # these: nobody is stopped for them.
-optional='python3-(numpy|h5py)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang'
+optional='python3-(numpy|h5py)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
 needed=$(echo "$packages" | tr ' ' '\n' | grep -vxE "$optional|") || true
 if ! has apt-get || ! $root true 2>/dev/null; then
     [ -n "$needed" ] || exit 0
