@@ -563,14 +563,14 @@ static double left_after(sph2d__grid *g, int iterations)
     double before = 0, after = 0;
     memset(g->s, 0, g->size * sizeof *g->s);
     for (size_t k = 0; k < g->size; ++k) {
-        g->pressure.rest[k] = g->level->inverse[k] > 0 ? (float)test_random(&state, -1, 1) : 0;
-        before += (double)g->pressure.rest[k] * (double)g->pressure.rest[k];
+        g->pressure.residual[k] = g->level->inverse[k] > 0 ? (float)test_random(&state, -1, 1) : 0;
+        before += (double)g->pressure.residual[k] * (double)g->pressure.residual[k];
     }
-    sph2d__grid_level_pockets(g, g->pressure.rest);
+    sph2d__grid_level_pockets(g, g->pressure.residual);
     g->solver->prepare(g);
     g->solver->solve(g, &g->pressure, g->s, true, iterations);
     for (size_t k = 0; k < g->size; ++k)
-        after += (double)g->pressure.rest[k] * (double)g->pressure.rest[k];
+        after += (double)g->pressure.residual[k] * (double)g->pressure.residual[k];
     return sqrt(after / before);
 }
 

@@ -55,7 +55,7 @@ static void lay_out_sums(sph2d__sums *s, size_t size, room *r)
 
 static void lay_out_work(const sph2d__grid *g, sph2d__work *w, room *r)
 {
-    float **const finest[] = {&w->rest, &w->z, &w->way, &w->image, &w->cycle[0].product};
+    float **const finest[] = {&w->residual, &w->z, &w->direction, &w->product, &w->cycle[0].product};
     for (size_t k = 0; k < sizeof finest / sizeof *finest; ++k)
         *finest[k] = take(r, g->size, sizeof(float));
     for (int n = 1; n < g->levels; ++n) {

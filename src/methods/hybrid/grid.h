@@ -29,8 +29,9 @@ typedef struct sph2d__level {
 
 /** What a solution needs beside the equations: two are found at the same time. */
 typedef struct sph2d__work {
-    float *rest;            /**< the right side, then what is left */
-    float *z, *way, *image; /**< of conjugate gradients */
+    float *residual; /**< the right side, then what is left */
+    float *z, *direction,
+        *product; /**< of conjugate gradients: the residual preconditioned, the direction, the matrix times it */
     struct {
         float *value, *rest, *product;
     } cycle[SPH2D__LEVELS]; /**< of multigrid, on each level; on the finest only `product` */

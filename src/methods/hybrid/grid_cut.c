@@ -308,7 +308,7 @@ bool sph2d__grid_cut(sph2d_sim *sim, sph2d__grid *g)
         return true;
     take_rest(g);
     for (size_t k = 0; k < sim->moving_count; ++k)
-        if (!cut_by(sim, g, &sim->moving[k], g->pressure.image))
+        if (!cut_by(sim, g, &sim->moving[k], g->pressure.product))
             return false;
     for (int side = 0; side < 4; ++side)
         add_side(sim, g, side);
@@ -336,7 +336,7 @@ void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *g)
         const sph2d__solid s = sph2d__solid_of(&sim->scene, &sim->scene.obstacles[k], &still);
         const corners c = corners_near(g, &s);
         if (!sph2d__obstacle_moves(s.obstacle))
-            add_solid(sim, g, &s, &c, g->pressure.image);
+            add_solid(sim, g, &s, &c, g->pressure.product);
     }
     for (int side = 0; side < 4; ++side)
         add_side(sim, g, side);

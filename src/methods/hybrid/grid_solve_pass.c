@@ -94,7 +94,8 @@ static void spread_inwards(const sph2d__grid *g, float *known, uint32_t *left, s
  *  those count that the step sets. */
 static void fill_cut_squares(const sph2d__grid *g)
 {
-    float *beside = g->pressure.rest, *known = g->s; /* free before the pressure; s is 0 where the step sets nothing */
+    float *beside = g->pressure.residual,
+          *known = g->s; /* free before the pressure; s is 0 where the step sets nothing */
     uint32_t *here = g->pocket_end, *left = g->member; /* free before there are pockets */
     size_t count = 0, inside = 0;
     for (size_t n = 0; n < g->cut_count; ++n) {
@@ -220,10 +221,10 @@ static void set_equations(sph2d__grid *g)
                                   along * (g->open_y[k] * g->air_y[k] + g->open_y[k + up] * g->air_y[k + up]));
             const float sum = l->left[k] + l->left[k + 1] + l->below[k] + l->below[k + up] + l->air[k];
             l->inverse[k] = sum > 0 ? 1 / (sum > 0 ? sum : 1) : 0;
-            g->pressure.rest[k] = liquid * (g->hy * (flow(g->open_x[k], g->u[k], g->wall_x[k]) -
-                                                     flow(g->open_x[k + 1], g->u[k + 1], g->wall_x[k + 1])) +
-                                            g->hx * (flow(g->open_y[k], g->v[k], g->wall_y[k]) -
-                                                     flow(g->open_y[k + up], g->v[k + up], g->wall_y[k + up])));
+            g->pressure.residual[k] = liquid * (g->hy * (flow(g->open_x[k], g->u[k], g->wall_x[k]) -
+                                                         flow(g->open_x[k + 1], g->u[k + 1], g->wall_x[k + 1])) +
+                                                g->hx * (flow(g->open_y[k], g->v[k], g->wall_y[k]) -
+                                                         flow(g->open_y[k + up], g->v[k + up], g->wall_y[k + up])));
         }
 }
 
@@ -232,7 +233,7 @@ static void feed(const sph2d__grid *g)
 {
     for (const sph2d__nozzle *z = g->nozzles, *end = z + g->nozzle_count; z < end; ++z)
         if (z->open && is_liquid(g, z->square))
-            g->pressure.rest[z->square] += z->flow;
+            g->pressure.residual[z->square] += z->flow;
 }
 
 /** The right side for displacements. */
@@ -245,7 +246,7 @@ static void set_volumes(sph2d__grid *g)
             const float e = g->excess[k] > MOST ? MOST : g->excess[k] < -MOST ? -MOST : g->excess[k];
             const float at_air = e > SURFACE ? e - SURFACE : 0, wrong = l->air[k] > 0 ? at_air : e;
             const float part = 0.5F + depth_of(1 - g->hidden[k]), full = part > 1 ? 1 : part > 0 ? part : 0;
-            g->volume.rest[k] = is_liquid(g, k) ? g->hx * g->hy * full * wrong : 0;
+            g->volume.residual[k] = is_liquid(g, k) ? g->hx * g->hy * full * wrong : 0;
         }
 }
 
@@ -281,7 +282,7 @@ static void continue_pressure(sph2d__grid *g)
 {
     const sph2d__level *l = g->level;
     const size_t up = g->stride;
-    float *sum = g->pressure.rest, *count = g->pressure.way;
+    float *sum = g->pressure.residual, *count = g->pressure.direction;
     clear(g, sum);
     clear(g, count);
     for (int j = 1; j <= g->ny + 1; ++j)
@@ -381,8 +382,8 @@ static void solve(sph2d__grid *g, double viscosity)
     feed(g);
     sph2d__grid_find_pockets(g);
     set_volumes(g);
-    sph2d__grid_level_pockets(g, g->pressure.rest);
-    sph2d__grid_level_pockets(g, g->volume.rest);
+    sph2d__grid_level_pockets(g, g->pressure.residual);
+    sph2d__grid_level_pockets(g, g->volume.residual);
     g->solver->prepare(g);
     for (int j = g->first; j <= g->last; ++j)
         SPH2D__FOR_SPAN(g, j, k)

@@ -93,7 +93,8 @@ static void solve(const axis *a, float *u)
     const sph2d__grid *g = a->g;
     const sph2d__level *l = g->level;
     const sph2d__work *w = &g->pressure; /* free before it */
-    float *rest = w->rest, *way = w->way, *image = w->image, *scaled = w->z, *diagonal = w->cycle[0].product;
+    float *rest = w->residual, *way = w->direction, *image = w->product, *scaled = w->z,
+          *diagonal = w->cycle[0].product;
     for (int j = g->first; j <= g->last; ++j)
         SPH2D__FOR_SPAN(g, j, k)
     way[k] = scaled[k] = rest[k] = 0;

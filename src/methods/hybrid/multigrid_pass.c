@@ -185,33 +185,34 @@ static double dot(const sph2d__level *l, const float *a, const float *b)
 static void solve(const sph2d__grid *g, const sph2d__work *w, float *restrict value, bool bodies, int iterations)
 {
     const sph2d__level *l = g->level;
-    float *restrict rest = w->rest, *restrict way = w->way, *restrict image = w->image, *restrict z = w->z;
+    float *restrict residual = w->residual, *restrict direction = w->direction, *restrict product = w->product,
+                    *restrict z = w->z;
     multiply(g, l, value, z);
     if (bodies)
         sph2d__grid_add_bodies(g, value, z);
     for (int j = 1; j <= l->ny; ++j)
         FOR_LIQUID(l, j, k)
-    rest[k] = l->inverse[k] > 0 ? rest[k] - z[k] : 0;
+    residual[k] = l->inverse[k] > 0 ? residual[k] - z[k] : 0;
     double before = 0, enough = 1e-30;
     for (int n = 0; n < iterations; ++n) {
-        cycle(g, w, z, rest);
-        const double now = dot(l, rest, z);
+        cycle(g, w, z, residual);
+        const double now = dot(l, residual, z);
         if (!(now > enough))
             return;
         enough = n == 0 ? SOLVED * now : enough;
-        const float keep = n > 0 ? (float)(now / before) : 0;
+        const float beta = n > 0 ? (float)(now / before) : 0;
         for (int j = 1; j <= l->ny; ++j)
             FOR_LIQUID(l, j, k)
-        way[k] = n > 0 ? z[k] + keep * way[k] : z[k];
-        multiply(g, l, way, image);
+        direction[k] = n > 0 ? z[k] + beta * direction[k] : z[k];
+        multiply(g, l, direction, product);
         if (bodies)
-            sph2d__grid_add_bodies(g, way, image);
-        const float part = (float)(now / dot(l, way, image));
+            sph2d__grid_add_bodies(g, direction, product);
+        const float alpha = (float)(now / dot(l, direction, product));
         for (int j = 1; j <= l->ny; ++j)
             FOR_LIQUID(l, j, k)
             {
-                value[k] += part * way[k];
-                rest[k] -= part * image[k];
+                value[k] += alpha * direction[k];
+                residual[k] -= alpha * product[k];
             }
         before = now;
     }

@@ -233,14 +233,14 @@ static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
         s->fluid.excess[i] = theta;
         z->soft[i] = 1 / (held ? c2 : stiff);
         z->solved[i] = held ? p : 0;
-        z->left_over[i] = w * (z->product[i] - z->acts[i] * z->wall_rate[i]) + (held ? 0 : c2 / stiff * theta);
+        z->residual[i] = w * (z->product[i] - z->acts[i] * z->wall_rate[i]) + (held ? 0 : c2 / stiff * theta);
         z->first[i] = z->direction[i] = held ? 0 : again ? z->direction[i] : c2 * theta;
         press(z, i, z->direction[i]);
         sph2d__close_load(s, i, again, sum);
         if (held)
             continue;
-        sum->first += z->left_over[i] * z->left_over[i];
-        sum->second += z->first[i] * z->left_over[i];
+        sum->first += z->residual[i] * z->residual[i];
+        sum->second += z->first[i] * z->residual[i];
         sum->third += z->first[i] * z->first[i];
     }
 }
@@ -267,41 +267,42 @@ static sph2d__slab_sum load(sph2d__system *s, bool again)
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
 
-/** How far to go along a direction; what of the last direction, and of the first pressures, the next one has. */
-typedef struct way {
-    double length, keep, first;
-} way;
+/** How far a step goes along the direction; what the next direction has of this one, and of the first pressures, to which it
+ *  is made conjugate. */
+typedef struct factors {
+    double alpha, beta, gamma;
+} factors;
 
-/** A step along the direction. Sums up the square of what is left, and its product with that of the first pressures. */
-static void go_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+/** A step along the direction. Sums up the square of the residual, and its product with that of the first pressures. */
+static void step_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const way *w = with;
+    const factors *f = with;
     sph2d__frozen *z = s->frozen;
     double square = 0, first = 0;
     for (size_t i = slab->first; i < slab->last; ++i) {
-        const double left = z->left_over[i] - w->length * z->product[i];
+        const double residual = z->residual[i] - f->alpha * z->product[i];
         const bool held = z->holds && z->known[i] > 0;
-        z->solved[i] += w->length * z->direction[i];
-        z->left_over[i] = left;
-        square += held ? 0 : left * left;
-        first += held ? 0 : left * z->of_first[i];
-        sph2d__close_go(s, i, w->length, sum);
+        z->solved[i] += f->alpha * z->direction[i];
+        z->residual[i] = residual;
+        square += held ? 0 : residual * residual;
+        first += held ? 0 : residual * z->of_first[i];
+        sph2d__close_step(s, i, f->alpha, sum);
     }
     sum->first += square;
     sum->second += first;
 }
 
 /** The next direction. */
-static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+static void direct_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const way *w = with;
+    const factors *f = with;
     sph2d__frozen *z = s->frozen;
     (void)sum;
     for (size_t i = slab->first; i < slab->last; ++i) {
         const bool held = z->holds && z->known[i] > 0;
-        z->direction[i] = held ? 0 : z->left_over[i] + w->keep * z->direction[i] - w->first * z->first[i];
+        z->direction[i] = held ? 0 : z->residual[i] + f->beta * z->direction[i] - f->gamma * z->first[i];
         press(z, i, z->direction[i]);
-        sph2d__close_turn(s, i, w->keep, w->first);
+        sph2d__close_direct(s, i, f->beta, f->gamma);
     }
 }
 
@@ -319,36 +320,36 @@ static const double LEAST_TOLERANCE = 1e-5;
 static void solve(sph2d__system *s, sph2d__slab_sum sum)
 {
     const double tolerance = fmax(s->method.tolerance, LEAST_TOLERANCE), wanted = tolerance * tolerance * sum.first;
-    double left = sum.first, along = 0;
+    double square = sum.first, first_curvature = 0;
     uint64_t count = s->iterations;
-    way w = {0, 0, 0};
+    factors f = {0, 0, 0};
     if (sum.third > 0) {
-        along = multiply(s);
+        first_curvature = multiply(s);
         sph2d__over_particles(s, s->fluid.count, keep_first);
         ++count;
-        w.length = sum.second / along;
-        sum = sph2d__over_fluid(s, go_slab, &w);
-        left = sum.first;
-        w.first = sum.second / along;
+        f.alpha = sum.second / first_curvature;
+        sum = sph2d__over_fluid(s, step_slab, &f);
+        square = sum.first;
+        f.gamma = sum.second / first_curvature;
     } else {
         sph2d__over_particles(s, s->fluid.count, keep_first);
     }
-    while (left > wanted && count < s->method.max_iterations) {
-        sph2d__over_fluid(s, turn_slab, &w);
-        const double bent = multiply(s);
+    while (square > wanted && count < s->method.max_iterations) {
+        sph2d__over_fluid(s, direct_slab, &f);
+        const double curvature = multiply(s);
         ++count;
-        if (!(bent > 0))
+        if (!(curvature > 0))
             break;
-        w.length = left / bent;
-        sum = sph2d__over_fluid(s, go_slab, &w);
-        w.keep = sum.first / left;
-        w.first = along > 0 ? sum.second / along : 0;
-        left = sum.first;
+        f.alpha = square / curvature;
+        sum = sph2d__over_fluid(s, step_slab, &f);
+        f.beta = sum.first / square;
+        f.gamma = first_curvature > 0 ? sum.second / first_curvature : 0;
+        square = sum.first;
     }
     s->iterations = count;
     s->wanted_residual = tolerance;
-    s->residual = wanted > 0 ? tolerance * sqrt(left / wanted) : 0;
-    s->unconverged = left > wanted;
+    s->residual = wanted > 0 ? tolerance * sqrt(square / wanted) : 0;
+    s->unconverged = square > wanted;
 }
 
 /* ---- once more --------------------------------------------------------------------------------------------------- */
@@ -461,7 +462,7 @@ static void finish_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
     (void)with;
     double left = 0;
     for (size_t i = slab->first; i < slab->last; ++i)
-        left += sph2d__close_left(s, i);
+        left += sph2d__close_residual(s, i);
     pass_of(s)->finish(s, slab->first, slab->last, sum);
     sum->first += s->mass * s->frozen->dt / s->frozen->ahead * left;
 }

@@ -39,7 +39,7 @@ struct sph2d__close_row {
     double theta;             /* the right side, but for the motion */
     double scale;             /* s, of a wall, else 0 */
     double solved, direction; /* q, and of its next change [m^2/s^2] */
-    double left, product;     /* what is left of the equation; the matrix times the direction */
+    double residual, product; /* what is left of the equation; the matrix times the direction */
     double first, of_first;   /* what the solve starts from, and its product */
 };
 
@@ -159,8 +159,8 @@ static double rate_of(const sph2d__frozen *z, size_t i, const sph2d__close_row *
 
 static void add_squares(const sph2d__close_row *row, sph2d__slab_sum *sum)
 {
-    sum->first += 0.5 * row->left * row->left;
-    sum->second += 0.5 * row->first * row->left;
+    sum->first += 0.5 * row->residual * row->residual;
+    sum->second += 0.5 * row->first * row->residual;
     sum->third += 0.5 * row->first * row->first;
 }
 
@@ -184,7 +184,7 @@ void sph2d__close_load(sph2d__system *s, size_t i, bool again, sph2d__slab_sum *
     sph2d__frozen *z = s->frozen;
     const double stiffness = z->dt / z->ahead * s->sound_speed * s->sound_speed;
     for (sph2d__close_row *row = rows_of(z, i); row < rows_end(z, i); ++row) {
-        row->left = row->theta + z->ahead * (rate_of(z, i, row) + 2 * row->scale * z->front_speed[i]);
+        row->residual = row->theta + z->ahead * (rate_of(z, i, row) + 2 * row->scale * z->front_speed[i]);
         row->solved = row->of_first = 0;
         row->first = row->direction = again ? row->direction : stiffness * fmax(row->theta, 0);
         add_squares(row, sum);
@@ -204,22 +204,22 @@ double sph2d__close_multiply(sph2d__system *s, size_t i)
     return sum;
 }
 
-void sph2d__close_go(sph2d__system *s, size_t i, double length, sph2d__slab_sum *sum)
+void sph2d__close_step(sph2d__system *s, size_t i, double alpha, sph2d__slab_sum *sum)
 {
     sph2d__frozen *z = s->frozen;
     for (sph2d__close_row *row = rows_of(z, i); row < rows_end(z, i); ++row) {
-        row->solved += length * row->direction;
-        row->left -= length * row->product;
-        sum->first += 0.5 * row->left * row->left;
-        sum->second += 0.5 * row->left * row->of_first;
+        row->solved += alpha * row->direction;
+        row->residual -= alpha * row->product;
+        sum->first += 0.5 * row->residual * row->residual;
+        sum->second += 0.5 * row->residual * row->of_first;
     }
 }
 
-void sph2d__close_turn(sph2d__system *s, size_t i, double keep, double first)
+void sph2d__close_direct(sph2d__system *s, size_t i, double beta, double gamma)
 {
     sph2d__frozen *z = s->frozen;
     for (sph2d__close_row *row = rows_of(z, i); row < rows_end(z, i); ++row)
-        row->direction = row->left + keep * row->direction - first * row->first;
+        row->direction = row->residual + beta * row->direction - gamma * row->first;
     push(z, i);
 }
 
@@ -259,11 +259,11 @@ bool sph2d__close_pull(const sph2d__system *s)
     return false;
 }
 
-double sph2d__close_left(const sph2d__system *s, size_t i)
+double sph2d__close_residual(const sph2d__system *s, size_t i)
 {
     double sum = 0;
     for (const sph2d__close_row *row = rows_of(s->frozen, i); row < rows_end(s->frozen, i); ++row)
-        sum += 0.5 * row->solved * row->left;
+        sum += 0.5 * row->solved * row->residual;
     return sum;
 }
 

@@ -272,7 +272,7 @@ SPH2D__INLINE void compress(sph2d__system *s, size_t i, size_t last, sph2d__slab
     add_lanes(&sum->first, s->mass * (c2 * change * (before + 0.5 * change) - p * squeezed), i, last);
     if (z->holds) {
         const sph2d__lanes known = sph2d__lanes_load(z->known + i);
-        add_lanes(&sum->third, s->mass * c2 * known * theta / part * sph2d__lanes_load(z->left_over + i), i, last);
+        add_lanes(&sum->third, s->mass * c2 * known * theta / part * sph2d__lanes_load(z->residual + i), i, last);
         squeezed = (1 - known) * squeezed;
     }
     sph2d__lanes_store(s->fluid.excess + i, before + (squeezed + relaxed));

@@ -166,7 +166,7 @@ static inline double sph2d__density_ratio(double theta)
     X(eased_x) X(eased_y)            /* the inverse of its diagonal */                                                 \
     X(soft)                          /* 1/(c0^2 + e) [s^2/m^2] */                                                      \
     X(solved)                        /* p [m^2/s^2] */                                                                 \
-    X(left_over)                     /* what is left of the equations */                                               \
+    X(residual)                     /* of its equations */                                                            \
     X(direction)                     /* of the next change of p [m^2/s^2] */                                           \
     X(product)                       /* the matrix times that */                                                       \
     X(first) X(of_first)             /* the pressures that the solve starts from, and their product */                 \
@@ -441,8 +441,8 @@ void sph2d__close_find(sph2d__system *system);
 /** `again`: starts from the direction. */
 void sph2d__close_load(sph2d__system *system, size_t i, bool again, sph2d__slab_sum *sum);
 double sph2d__close_multiply(sph2d__system *system, size_t i);
-void sph2d__close_go(sph2d__system *system, size_t i, double length, sph2d__slab_sum *sum);
-void sph2d__close_turn(sph2d__system *system, size_t i, double keep, double first);
+void sph2d__close_step(sph2d__system *system, size_t i, double alpha, sph2d__slab_sum *sum);
+void sph2d__close_direct(sph2d__system *system, size_t i, double beta, double gamma);
 void sph2d__close_keep_first(sph2d__system *system, size_t i);
 /** What its pairs push it by with what was found, which `last` adds to the mean force of sides, too. */
 void sph2d__close_push(sph2d__system *system, size_t i, bool last);
@@ -451,7 +451,7 @@ bool sph2d__close_pull(const sph2d__system *system);
 /** Drops them, of particle i. */
 void sph2d__close_drop(sph2d__system *system, size_t i);
 /** What is left of its rows' equations by what was found: energy over m dt/w. */
-double sph2d__close_left(const sph2d__system *system, size_t i);
+double sph2d__close_residual(const sph2d__system *system, size_t i);
 void sph2d__close_free(sph2d__system *system);
 /** Accelerations by viscosity and walls without slip, where the liquid is thick (thick.c), with those by all else in
  *  `rubbed`; `again`, from what was found, for the last time. */
