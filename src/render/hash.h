@@ -14,7 +14,8 @@
 static inline uint64_t sph2d__hash(uint64_t so_far, const void *bytes, size_t size)
 {
     for (size_t i = 0; i < size; ++i)
-        so_far = (so_far ^ ((const unsigned char *)bytes)[i]) * UINT64_C(1099511628211);
+        so_far =
+            (so_far ^ ((const unsigned char *)bytes)[i]) * UINT64_C(1099511628211); /* NOLINT: doubles have bytes */
     return so_far;
 }
 

@@ -161,6 +161,7 @@ static int find_near(const tracer *t, sph2d_vec2 at, double distance, double alo
     int found = NOTHING;
     for (int j = row > 0 ? row - 1 : 0; j <= row + 1 && j < t->bins_up; ++j)
         for (int i = column > 0 ? column - 1 : 0; i <= column + 1 && i < t->bins_across; ++i)
+            /* NOLINTBEGIN(clang-analyzer-core.*): bins hold -1, or a point there is */
             for (int32_t k = t->bins[(size_t)j * (size_t)t->bins_across + (size_t)i]; k >= 0; k = t->points[k].next) {
                 const point *p = &t->points[k];
                 const double right = p->at.x - at.x, up = p->at.y - at.y;
@@ -171,6 +172,7 @@ static int find_near(const tracer *t, sph2d_vec2 at, double distance, double alo
                 if (fabs(p->along - along) > own * t->distance)
                     found = ITSELF;
             }
+    /* NOLINTEND(clang-analyzer-core.*) */
     return found;
 }
 

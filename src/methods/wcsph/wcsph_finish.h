@@ -133,7 +133,7 @@ SPH2D__INLINE sph2d__lanes find_slopes(sph2d__frozen *z, size_t first, const sum
     sph2d__four_store(z->slope + 4 * first, (sph2d__four){vx_x, 0.5 * (vx_y + vy_x), vy_y, walled});
     sph2d__four_store(z->bend + 4 * first,
                       (sph2d__four){alone.xx * f->px + alone.xy * f->py, alone.xy * f->px + alone.yy * f->py,
-                                    0.5 * (vx_y - vy_x), walled - walled});
+                                    0.5 * (vx_y - vy_x), (sph2d__lanes){0}});
     const sph2d__lanes stretch = vx_x - vy_y, shear = vx_y + vy_x;
     return sph2d__lanes_sqrt(stretch * stretch + shear * shear);
 }

@@ -101,9 +101,9 @@ bool sph2d__images_place(sph2d__system *s)
                              sph2d__store_reserve(f, s->memory, z->first_image + t->count + SPH2D__WIDEST));
 }
 
-size_t sph2d__image_of(const sph2d__frozen *z, size_t k)
+size_t sph2d__image_of(const sph2d__frozen *frozen, size_t k)
 {
-    return (size_t)z->images.id[k] / IMAGE_SIDES;
+    return (size_t)frozen->images.id[k] / IMAGE_SIDES;
 }
 
 /** Signs of an image's components. */
