@@ -20,6 +20,6 @@ typedef struct sph2d__cubic {
 
 /** The weights at a place among `count` increasing nodes, 1 at least, `stride` doubles apart; beyond them those of the
  *  nearest end. */
-sph2d__cubic sph2d__cubic_at(const double *nodes, size_t stride, size_t count, double place);
+sph2d__cubic sph2d__cubic_at(const double *items, size_t stride, size_t count, double place);
 
 #endif

@@ -43,9 +43,9 @@ void sph2d__flood_clear(sph2d__flood *flood);
 /** Whether liquid is at a position; outside the domain: in the cell nearest to it. */
 bool sph2d__flood_reached(const sph2d__flood *flood, sph2d_vec2 p);
 
-/** The height of a position, and heights of the lowest and highest corner of a box, above the domain's lowest corner
+/** The height of a position, and heights of the lowest and highest corner of a box b, above the domain's lowest corner
  *  [m]. */
 double sph2d__flood_height(const sph2d__flood *flood, sph2d_vec2 p);
-sph2d_vec2 sph2d__flood_heights(const sph2d__flood *flood, sph2d_box box);
+sph2d_vec2 sph2d__flood_heights(const sph2d__flood *flood, sph2d_box b);
 
 #endif
