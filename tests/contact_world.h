@@ -39,6 +39,6 @@ double world_kinetic(const contact_world *world);
 /** Kinetic energy and that of gravity [J/m]. */
 double world_energy(const contact_world *world);
 /** Overlap of two discs or convex bodies; negative for a gap, of which it is then a lower bound [m]. */
-double world_overlap(const contact_world *world, uint32_t a, uint32_t b);
+double world_overlap(const contact_world *w, uint32_t i, uint32_t j);
 
 #endif

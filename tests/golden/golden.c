@@ -190,7 +190,7 @@ int main(int argc, char **argv)
         wanted.particles = strtod(argv[4], NULL);
         wanted.count = argc - 5;
         for (int k = 0; k < wanted.count; ++k)
-            wanted.threads[k] = atoi(argv[5 + k]);
+            wanted.threads[k] = (int)strtol(argv[5 + k], NULL, 10);
     }
     sph2d_scene_file *own = NULL;
     run_all(argv[1], argv[2], methods[0], NULL);

@@ -18,9 +18,7 @@ static size_t corner_count(const sph2d_shape *o)
     case SPH2D_SHAPE_BOX:
         return 4;
     case SPH2D_SHAPE_POLYGON:
-        return o->points.count;
     case SPH2D_SHAPE_LINE:
-        return o->points.count;
     case SPH2D_SHAPE_POLYLINE:
         return o->points.count;
     case SPH2D_SHAPE_CIRCLE:
@@ -35,9 +33,7 @@ static sph2d_vec2 corner(const sph2d_shape *o, size_t i)
 {
     if (o->kind == SPH2D_SHAPE_BOX)
         return (sph2d_vec2){i == 1 || i == 2 ? o->box.max.x : o->box.min.x, i >= 2 ? o->box.max.y : o->box.min.y};
-    return o->kind == SPH2D_SHAPE_POLYGON ? o->points.items[i]
-           : o->kind == SPH2D_SHAPE_LINE  ? o->points.items[i]
-                                          : o->points.items[i];
+    return o->points.items[i];
 }
 
 static bool is_open(const sph2d_shape *o)
