@@ -75,6 +75,18 @@ sph2d_sim *test_create(const sph2d_scene *scene, const sph2d_sim_options *option
     return sim;
 }
 
+const sph2d__world *test_world(const sph2d_scene *scene)
+{
+    static sph2d__world world;
+    static sph2d__arena arena;
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    sph2d__arena_free(&arena, &memory);
+    arena = (sph2d__arena){0};
+    ck_assert_int_ne(sph2d__world_make(&world, scene, false, &arena, &memory, NULL), SPH2D_NOMEM);
+    ck_assert_double_gt(world.derived.mass, 0); /* it was settled */
+    return &world;
+}
+
 void test_steps(sph2d_sim *sim, int steps)
 {
     static sph2d_report report;

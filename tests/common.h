@@ -6,6 +6,7 @@
 
 #include <check.h>
 
+#include "scene/world.h"
 #include "sph2d/field.h"
 #include "sph2d/sph2d.h"
 
@@ -28,6 +29,8 @@ sph2d_block test_particle(double spacing, double x, double y, double vx, double 
 
 /** Makes a simulation on one thread (or with `options`) that must not fail. */
 sph2d_sim *test_create(const sph2d_scene *scene, const sph2d_sim_options *options);
+/** What a scene, even one that is refused for want of a sound speed, is resolved to. Static storage. */
+const sph2d__world *test_world(const sph2d_scene *scene);
 /** Takes steps, none of which may fail. */
 void test_steps(sph2d_sim *sim, int steps);
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "common.h"
-#include "scene/basin.h"
+#include "scene/derive.h"
 #include "scene/liquid_side.h"
 #include "scene/shape.h"
 #include "sim/simulation.h"
@@ -152,12 +152,13 @@ static void bowl(double height)
 START_TEST(layers_of_a_bowl_are_outside)
 {
     bowl(0.4);
-    ck_assert_int_eq(sph2d__liquid_side(&scene, &obstacles[0]), SPH2D_LIQUID_LEFT);
     sph2d_sim *sim = test_create(&scene, NULL);
+    ck_assert_int_eq(sim->world.walls[SPH2D__WALL_OBSTACLE].liquid, SPH2D_LIQUID_LEFT);
     const sph2d__store *w = &sim->system.walls;
     double area = 0, skin = 0, thick = 3 * DX;
     for (size_t b = 0; b < w->count; ++b) {
-        if (w->id[b] < sim->obstacle_ids[0].first || w->id[b] >= sim->obstacle_ids[0].end)
+        const sph2d__ids *own = &sim->wall_ids[SPH2D__WALL_OBSTACLE];
+        if (w->id[b] < own->first || w->id[b] >= own->end)
             continue;
         double x = w->x[b] - BOWL.center.x, y = w->y[b] - BOWL.center.y, out = hypot(x, y) - BOWL.radius;
         ck_assert(out > 0.4 * DX && out < thick);
@@ -181,7 +182,7 @@ START_TEST(a_bowl_holds_water)
     double values[SPH2D_PROBE_MAX_COLUMNS], level[SPH2D_PROBE_MAX_COLUMNS], mean = 0;
     bowl(height);
     scene.method.name = _i ? SPH2D_METHOD_PCISPH : SPH2D_METHOD_WCSPH;
-    ck_assert_double_eq_tol(sph2d__basin_height(&scene, 0), height - 0.2, 1.5 * DX);
+    ck_assert_double_eq_tol(sph2d__basin_height(test_world(&scene), 0), height - 0.2, 1.5 * DX);
     sph2d_sim *sim = test_create(&scene, NULL);
     const sph2d_plan *plan = sph2d_sim_plan(sim);
     ck_assert_msg(fabs(plan->area_placed / plan->area_asked - 1) < 0.005, "%g", plan->area_placed / plan->area_asked);
@@ -224,7 +225,8 @@ START_TEST(layers_inside_an_arc_and_on_both_sides)
     const sph2d__store *w = &sim->system.walls;
     double inner = 0.3 - (_i ? 1.5 : 3) * DX, outer = 0.3 + (_i ? 1.5 : 0) * DX, area = 0;
     for (size_t b = 0; b < w->count; ++b) {
-        if (w->id[b] < sim->obstacle_ids[0].first || w->id[b] >= sim->obstacle_ids[0].end)
+        const sph2d__ids *own = &sim->wall_ids[SPH2D__WALL_OBSTACLE];
+        if (w->id[b] < own->first || w->id[b] >= own->end)
             continue;
         double r = hypot(w->x[b] - 0.5, w->y[b] - 0.3);
         ck_assert_msg(r > inner - 0.01 * DX && r < outer + 0.01 * DX, "%g", r);

@@ -162,15 +162,15 @@ START_TEST(springs_stretched_at_the_start_count_as_speed)
     pool.scene.gravity = (sph2d_vec2){0, 0};
     pool.body.velocity = (sph2d_vec2){0, 0};
     pool.body.rate = 0;
-    double without = sph2d__scene_derive(&pool.scene).speed, mass = 400 * 0.4 * 0.32, fastest = 0;
+    double without = test_world(&pool.scene)->derived.speed, mass = 400 * 0.4 * 0.32, fastest = 0;
     pool.spring = sph2d_spring_default();
     pool.spring.to = (sph2d_vec2){1.8, 5};
     pool.spring.stiffness = 5000;
     pool.body.springs = &pool.spring;
     pool.body.spring_count = 1;
-    ck_assert(sph2d__scene_derive(&pool.scene).speed == without); /* as long as the scene draws it */
+    ck_assert(test_world(&pool.scene)->derived.speed == without); /* as long as the scene draws it */
     pool.spring.length = 0.5;                                     /* of 0.84 */
-    double speed = sph2d__scene_derive(&pool.scene).speed;
+    double speed = test_world(&pool.scene)->derived.speed;
     ck_assert_double_eq_tol(speed, 0.34 * sqrt(5000 / mass), 1e-12);
     sph2d_sim *sim = test_create(&pool.scene, NULL);
     /* but the lake need not have as much energy for each kilogram */
@@ -182,14 +182,14 @@ START_TEST(springs_stretched_at_the_start_count_as_speed)
     sph2d_sim_destroy(sim);
     ck_assert(fastest <= speed * 1.001 && fastest > 0.99 * speed);
     pool.spring.at = (sph2d_vec2){2, 4.16}; /* beside the centre of mass the body gives way by turning, too */
-    ck_assert_double_gt(sph2d__scene_derive(&pool.scene).speed, speed);
+    ck_assert_double_gt(test_world(&pool.scene)->derived.speed, speed);
     pool.body.hold = (sph2d_hold){SPH2D_SWITCH_ON, SPH2D_SWITCH_ON, SPH2D_SWITCH_ON};
-    ck_assert(sph2d__scene_derive(&pool.scene).speed == without);
+    ck_assert(test_world(&pool.scene)->derived.speed == without);
     pool.body.hold = (sph2d_hold){SPH2D_SWITCH_OFF, SPH2D_SWITCH_OFF, SPH2D_SWITCH_OFF};
     pool.spring.length = 2;
-    ck_assert_double_gt(sph2d__scene_derive(&pool.scene).speed, speed); /* pressed together */
+    ck_assert_double_gt(test_world(&pool.scene)->derived.speed, speed); /* pressed together */
     pool.spring.slack = SPH2D_SWITCH_ON;
-    ck_assert(sph2d__scene_derive(&pool.scene).speed == without);
+    ck_assert(test_world(&pool.scene)->derived.speed == without);
 }
 END_TEST
 

@@ -175,10 +175,10 @@ START_TEST(the_length_of_a_run_does_not_change_its_sound_speed)
 {
     for (int kind = 0; drive_by(kind); ++kind) {
         scene.run.until = 100;
-        sph2d__derived whole = sph2d__scene_derive(&scene);
+        sph2d__derived whole = test_world(&scene)->derived;
         for (double until = 0; until < 50; until = 3 * until + 0.1) {
             scene.run.until = until;
-            sph2d__derived part = sph2d__scene_derive(&scene);
+            sph2d__derived part = test_world(&scene)->derived;
             ck_assert_msg(part.sound_speed == whole.sound_speed && part.head == whole.head,
                           "drive %d to %g s: %g of %g", kind, until, part.sound_speed, whole.sound_speed);
         }

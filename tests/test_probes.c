@@ -174,7 +174,7 @@ START_TEST(extent_is_that_of_the_places)
         add_particle(sim, x[i], y[i]);
     sort_particles(sim);
     const double *v = evaluate(sim, SPH2D_PROBE_EXTENT);
-    double half = sim->scene.spacing / 2;
+    double half = sim->world.scene.spacing / 2;
     ck_assert(v[0] == -0.7 - half && v[1] == 0.9 + half && v[2] == -1.3 - half && v[3] == 0.7 + half);
     sph2d_sim_destroy(sim);
 }

@@ -532,7 +532,7 @@ START_TEST(a_motion_that_squeezes_liquid_is_warned_of)
     ends[1] = (sph2d_vec2){0.9, 0.77};
     obstacles[1] = obstacles[0];
     obstacles[0] = obstacles[3];
-    obstacles[1].liquid = SPH2D_LIQUID_BOTH;
+    obstacles[1].liquid = SPH2D_LIQUID_RIGHT;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k) {
         way[1].x = way[2].x = cases[k].x;
         way[1].y = way[2].y = cases[k].y;

@@ -44,7 +44,7 @@ static int layers_on_the_left(const sph2d_sim *sim)
     const sph2d__store *w = &sim->system.walls;
     int count = 0;
     for (size_t i = 0; i < w->count; ++i)
-        if (w->id[i] < sim->obstacle_ids[0].end)
+        if (w->id[i] < sim->wall_ids[SPH2D__WALL_OBSTACLE].end)
             count += w->x[i] < 0.2 ? 1 : -1;
     return count;
 }
@@ -184,7 +184,7 @@ START_TEST(a_wall_between_two_liquids_is_a_solid_and_keeps_them_apart)
     const sph2d__store *w = &sim->system.walls;
     double half = LAYERS * DX / 2, area = 0;
     for (size_t i = 0; i < w->count; ++i)
-        if (w->id[i] < sim->obstacle_ids[0].end) {
+        if (w->id[i] < sim->wall_ids[SPH2D__WALL_OBSTACLE].end) {
             ck_assert_double_lt(fabs(w->x[i] - 0.25), half);
             area += w->mass[i] / scene.fluid.density;
         }
@@ -314,12 +314,12 @@ START_TEST(a_polygon_is_a_solid_whichever_way_round)
     sph2d_view f = sph2d_sim_fluid(sim);
     sph2d_shape shape = {.kind = SPH2D_SHAPE_POLYGON, .points = {corners, count}};
     for (size_t i = 0; i < w->count; ++i)
-        if (w->id[i] < sim->obstacle_ids[0].end)
+        if (w->id[i] < sim->wall_ids[SPH2D__WALL_OBSTACLE].end)
             ck_assert(sph2d__shape_contains(&shape, (sph2d_vec2){w->x[i], w->y[i]}));
     for (size_t i = 0; i < f.count; ++i)
         ck_assert(!sph2d__shape_contains(&shape, (sph2d_vec2){f.x[i], f.y[i]}));
     ck_assert_double_eq_tol((double)f.count * DX * DX, 0.8 - sph2d__shape_area(&shape), 0.02);
-    ck_assert_uint_gt(sim->obstacle_ids[0].end, 100);
+    ck_assert_uint_gt(sim->wall_ids[SPH2D__WALL_OBSTACLE].end, 100);
     sph2d_sim_destroy(sim);
 }
 END_TEST

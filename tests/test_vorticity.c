@@ -173,16 +173,16 @@ START_TEST(scenes_have_a_range_for_it)
     scene.block_count = 1;
     scene.run.frames.color = "vorticity";
     scene.run.frames.streamlines = SPH2D_SWITCH_ON;
-    sph2d_frames frames = sph2d__frames_resolve(&scene);
+    sph2d_frames frames = test_world(&scene)->scene.run.frames;
     ck_assert_double_eq_tol(frames.color_range.y, 10 * sqrt(2 * 9 * 0.5) / 2, 1e-12);
     ck_assert(frames.color_range.x == -frames.color_range.y);
     ck_assert_double_eq_tol(frames.arrow_speed, sqrt(2 * 9 * 0.5), 1e-12);
     scene.run.frames.color_range = (sph2d_vec2){-1, 3};
-    frames = sph2d__frames_resolve(&scene);
+    frames = test_world(&scene)->scene.run.frames;
     ck_assert(frames.color_range.x == -1 && frames.color_range.y == 3);
     scene.gravity = (sph2d_vec2){0, 0}; /* that of each frame */
     scene.run.frames.color_range = (sph2d_vec2){0, 0};
-    frames = sph2d__frames_resolve(&scene);
+    frames = test_world(&scene)->scene.run.frames;
     ck_assert(frames.color_range.x == 0 && frames.color_range.y == 0);
 }
 END_TEST

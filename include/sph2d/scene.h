@@ -641,9 +641,6 @@ typedef struct sph2d_obstacle {
 
     /** Generalised only: slip or friction of liquid along it; default the scene's wall_slip. */
     sph2d_wall_slip slip;
-
-    /** Leave it NULL. In the library's own copies of a scene, bodies follow the obstacles as obstacles with this set. */
-    const struct sph2d_body *body;
 } sph2d_obstacle;
 
 /** A spring between a point of a body and a fixed point: a force along the line between the two, stiffness times its

@@ -18,7 +18,7 @@ typedef struct sph2d__piece {
     sph2d__segment ends;
     sph2d_vec2 direction; /**< from a to b, of length 1 */
     double length;        /**< [m] */
-    int wall;             /**< the wall that it is a piece of (scene/wall_names.h) */
+    int wall;             /**< the wall that it is a piece of (scene/world.h) */
 } sph2d__piece;
 
 /** What the hits of a displacement did to the velocity. */

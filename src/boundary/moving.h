@@ -14,24 +14,25 @@
 #include "particles/period.h"
 #include "particles/store.h"
 #include "scene/motion.h"
+#include "scene/world.h"
 
 /** The largest turn of one chord [rad], and the largest number of chords. */
 #define SPH2D__LARGEST_TURN 0.05
 enum { SPH2D__MOST_CHORDS = 64 };
 
 typedef struct sph2d__moving {
-    sph2d__course course;           /**< of an obstacle with a motion */
-    const sph2d__rigid *rigid;      /**< a body, which the liquid moves; NULL: none */
-    const sph2d_obstacle *obstacle; /**< of the scene */
-    int wall;                       /**< its number (scene/wall_names.h) */
-    uint64_t first_id, end_id;      /**< its boundary particles: first_id to end_id - 1 */
-    sph2d_vec2 *normals;            /**< of these, in the initial position; NULL if they have none, or it never turns */
-    double *spins;                  /**< of these, their angular velocity [rad/s]; NULL if it never turns */
-    sph2d__barrier barrier;         /**< in the obstacle's initial position */
-    sph2d_box bounds;               /**< of the barrier */
-    sph2d__pose from, to;           /**< at the start and end of the present or last drift */
-    double span;                    /**< its length; negative in the stages of a scheme that moves back in time [s] */
-    sph2d_box swept;                /**< around all that the barrier sweeps in it, with its clearance */
+    sph2d__course course;      /**< of an obstacle with a motion */
+    const sph2d__rigid *rigid; /**< a body, which the liquid moves; NULL: none */
+    const sph2d__wall *drawn;  /**< as the scene draws it */
+    int wall;                  /**< its number (scene/world.h) */
+    uint64_t first_id, end_id; /**< its boundary particles: first_id to end_id - 1 */
+    sph2d_vec2 *normals;       /**< of these, in the initial position; NULL if they have none, or it never turns */
+    double *spins;             /**< of these, their angular velocity [rad/s]; NULL if it never turns */
+    sph2d__barrier barrier;    /**< in the obstacle's initial position */
+    sph2d_box bounds;          /**< of the barrier */
+    sph2d__pose from, to;      /**< at the start and end of the present or last drift */
+    double span;               /**< its length; negative in the stages of a scheme that moves back in time [s] */
+    sph2d_box swept;           /**< around all that the barrier sweeps in it, with its clearance */
 } sph2d__moving;
 
 /** Keeps the normals of its boundary particles, of which the first is at `first`, once they are placed, and the bounds

@@ -37,7 +37,7 @@ enum { SPH2D__RIGID_VALUES = sizeof(sph2d__rigid_state) / sizeof(double) };
 
 typedef struct sph2d__rigid {
     const sph2d_body *body;
-    int wall;                  /**< its number (scene/wall_names.h) */
+    int wall;                  /**< its number (scene/world.h) */
     uint64_t first_id, end_id; /**< its boundary particles: first_id to end_id - 1 */
     double mass, inertia;      /**< [kg/m], [kg m] */
     double radius;             /**< farthest point of the outline from the centre of mass [m] */

@@ -2,13 +2,11 @@
 /** @file body.c
  *  Probes of a body: where it is, how it moves, and the force of the liquid. */
 #include "probes/probes.h"
-#include "scene/bodies.h"
-#include "scene/wall_names.h"
 
 size_t sph2d__probe_body(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
 {
-    size_t index = (size_t)(sph2d__wall_named(&sim->scene, probe->on) - SPH2D__WALL_OBSTACLE);
-    const sph2d__rigid *r = &sim->bodies.items[index - sph2d__obstacles_without_bodies(&sim->scene)];
+    const int wall = sph2d__wall_named(&sim->world, probe->on);
+    const sph2d__rigid *r = &sim->bodies.items[sim->world.walls[wall].index];
     const sph2d__rigid_state *now = r->state;
     const double all[] = {r->center.x + now->place.x,
                           r->center.y + now->place.y,

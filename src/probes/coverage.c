@@ -44,10 +44,10 @@ static axis axis_of(double low, double high, double period, double dx, const dou
     return (axis){low - before * size, size, all, all + 1};
 }
 
-bool sph2d__coverage_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p)
+bool sph2d__coverage_beyond_wall(const sph2d__world *world, sph2d_vec2 p)
 {
-    const sph2d_boundary b = scene->boundary;
-    const sph2d_box d = scene->domain;
+    const sph2d_boundary b = world->scene.boundary;
+    const sph2d_box d = world->box;
     return (b.left == SPH2D_SIDE_WALL && p.x < d.min.x) || (b.right == SPH2D_SIDE_WALL && p.x > d.max.x) ||
            (b.bottom == SPH2D_SIDE_WALL && p.y < d.min.y) || (b.top == SPH2D_SIDE_WALL && p.y > d.max.y);
 }
@@ -72,10 +72,10 @@ static span span_of(double low, double high, double origin, double size, size_t 
 }
 
 /** Bounds of what an obstacle fills, in its present position. */
-static sph2d_box bounds_of(const sph2d_sim *sim, const sph2d_obstacle *o, const sph2d__pose *pose)
+static sph2d_box bounds_of(const sph2d_sim *sim, const sph2d__wall *o, const sph2d__pose *pose)
 {
     sph2d_box b = sph2d__shape_bounds(&o->shape);
-    double margin = sph2d__obstacle_is_hollow(o) ? sph2d__layer_thickness(&sim->scene) : 0;
+    double margin = sph2d__wall_is_hollow(o) ? sph2d__layer_thickness(&sim->world.scene) : 0;
     sph2d_box all = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (int k = 0; k < 4; ++k) {
         sph2d_vec2 corner = {k & 1 ? b.max.x + margin : b.min.x - margin, k & 2 ? b.max.y + margin : b.min.y - margin};
@@ -86,7 +86,7 @@ static sph2d_box bounds_of(const sph2d_sim *sim, const sph2d_obstacle *o, const 
 }
 
 /** Marks the sample points inside an obstacle. */
-static void mark_obstacle(const sph2d__coverage *c, const sph2d_obstacle *o, uint16_t *marks)
+static void mark_obstacle(const sph2d__coverage *c, const sph2d__wall *o, uint16_t *marks)
 {
     sph2d__pose pose = sph2d__sim_pose_of(c->sim, o);
     sph2d_box b = bounds_of(c->sim, o, &pose);
@@ -96,7 +96,7 @@ static void mark_obstacle(const sph2d__coverage *c, const sph2d_obstacle *o, uin
         for (size_t i = x.begin; i < x.end; ++i)
             for (int k = 0; k < FULL; ++k) {
                 sph2d_vec2 p = sph2d__pose_invert(&pose, sample_point(c, i, j, k));
-                if (sph2d__obstacle_fills(&c->sim->scene, o, p))
+                if (sph2d__wall_fills(&c->sim->world.scene, o, p))
                     marks[j * c->nx + i] |= (uint16_t)(1u << k);
             }
 }
@@ -104,14 +104,14 @@ static void mark_obstacle(const sph2d__coverage *c, const sph2d_obstacle *o, uin
 /** Counts the sample points of each cell that lie in walls. `marks`: a bit for each, initially 0. */
 static void find_solids(sph2d__coverage *c, uint16_t *marks)
 {
-    const sph2d_scene *scene = &c->sim->scene;
-    for (size_t k = 0; k < scene->obstacle_count; ++k)
-        mark_obstacle(c, &scene->obstacles[k], marks);
+    const sph2d__world *world = &c->sim->world;
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k)
+        mark_obstacle(c, &world->walls[k], marks);
     for (size_t j = 0; j < c->ny; ++j)
         for (size_t i = 0; i < c->nx; ++i) {
             int n = 0;
             for (int k = 0; k < FULL; ++k)
-                n += marks[j * c->nx + i] >> k & 1 || sph2d__coverage_beyond_wall(scene, sample_point(c, i, j, k));
+                n += marks[j * c->nx + i] >> k & 1 || sph2d__coverage_beyond_wall(world, sample_point(c, i, j, k));
             c->solid[j * c->nx + i] = (unsigned char)n;
         }
 }
@@ -124,7 +124,7 @@ static void leave_out_reservoirs(sph2d__coverage *c, const uint16_t *marks)
         for (size_t i = 0; i < c->nx; ++i)
             for (int k = 0; k < FULL && c->solid[j * c->nx + i] < FULL; ++k) {
                 sph2d_vec2 p = sample_point(c, i, j, k);
-                bool solid = marks[j * c->nx + i] >> k & 1 || sph2d__coverage_beyond_wall(&c->sim->scene, p);
+                bool solid = marks[j * c->nx + i] >> k & 1 || sph2d__coverage_beyond_wall(&c->sim->world, p);
                 if (!solid && sph2d__opening_at(c->sim, p.x, p.y))
                     ++c->solid[j * c->nx + i];
             }
@@ -180,7 +180,7 @@ bool sph2d__coverage_make(sph2d__coverage *c, const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
     const sph2d__period *p = &sim->system.fluid_cells.period;
-    const sph2d_box d = sim->scene.domain;
+    const sph2d_box d = sim->world.box;
     axis x = axis_of(d.min.x, d.max.x, p->length_x, sim->system.spacing, f->x, f->count);
     axis y = axis_of(d.min.y, d.max.y, p->length_y, sim->system.spacing, f->y, f->count);
     *c = (sph2d__coverage){.sim = sim,

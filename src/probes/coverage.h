@@ -36,7 +36,7 @@ size_t sph2d__coverage_node(long k, size_t nodes, size_t cells);
 /** The cell of a coordinate, and the fraction of the cell before it; false beyond the grid. */
 bool sph2d__coverage_cell(double position, double origin, double size, size_t count, size_t *cell, double *in);
 /** Whether a position lies beyond a side of the domain that is a wall. */
-bool sph2d__coverage_beyond_wall(const sph2d_scene *scene, sph2d_vec2 p);
+bool sph2d__coverage_beyond_wall(const sph2d__world *world, sph2d_vec2 p);
 
 /** The covered area: that of the grid, and dx^2 for each isolated particle; without reservoirs [m^2]. */
 double sph2d__coverage_area(const sph2d__coverage *coverage);

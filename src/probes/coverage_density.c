@@ -47,7 +47,7 @@ static void mark_walls(const sph2d__coverage *c, unsigned char *marks)
             double x = c->origin.x + (double)i * c->size_x, y = c->origin.y + (double)j * c->size_y;
             for (int k = 0; k < 4; ++k) {
                 sph2d_vec2 p = {x + (k == 0 ? -h : k == 1 ? h : 0), y + (k == 2 ? -h : k == 3 ? h : 0)};
-                if (sph2d__coverage_beyond_wall(&c->sim->scene, p))
+                if (sph2d__coverage_beyond_wall(&c->sim->world, p))
                     marks[j * c->nodes_x + i] = 1;
             }
         }

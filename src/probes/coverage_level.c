@@ -24,7 +24,7 @@ static void mark_cells(flood *w)
 {
     const sph2d__coverage *c = w->grid;
     const sph2d__store *f = &c->sim->system.fluid;
-    for (size_t j = 0; j < c->ny && c->sim->scene.obstacle_count > 0; ++j)
+    for (size_t j = 0; j < c->ny && c->sim->world.wall_count > SPH2D__WALL_OBSTACLE; ++j)
         for (size_t i = 0; i < c->nx; ++i) {
             sph2d_vec2 at = {c->origin.x + ((double)i + 0.5) * c->size_x, c->origin.y + ((double)j + 0.5) * c->size_y};
             bool x = sph2d__sim_crosses_wall(c->sim, at, (sph2d_vec2){at.x + c->size_x, at.y});

@@ -114,9 +114,9 @@ static int mirror(double x, double low, bool low_wall, double high, bool high_wa
 /** Mirrored liquid is as far from a position as liquid is from the mirrored position. */
 static filling fill(const sph2d_sim *sim, double x, double y)
 {
-    sph2d_boundary b = sim->scene.boundary;
-    sph2d_box d = sim->scene.domain;
-    bool mirrors = sim->scene.walls != SPH2D_WALL_GENERALISED;
+    sph2d_boundary b = sim->world.scene.boundary;
+    sph2d_box d = sim->world.box;
+    bool mirrors = sim->world.scene.walls != SPH2D_WALL_GENERALISED;
     double xs[3], ys[3], support = sim->system.support;
     int nx = mirror(x, d.min.x, mirrors && b.left == SPH2D_SIDE_WALL, d.max.x, mirrors && b.right == SPH2D_SIDE_WALL,
                     support, xs);
@@ -133,7 +133,7 @@ static filling fill(const sph2d_sim *sim, double x, double y)
 /** Whether no wall is between a position and the nearest liquid. */
 static bool sees_liquid(const sph2d_sim *sim, double x, double y, const filling *sum)
 {
-    double r = sqrt(sum->nearest2), nudge = r > 0 ? NUDGE * sim->scene.spacing / r : 0;
+    double r = sqrt(sum->nearest2), nudge = r > 0 ? NUDGE * sim->world.scene.spacing / r : 0;
     if (!(nudge < 1))
         return true;
     sph2d_vec2 from = {x + nudge * sum->nearest.x, y + nudge * sum->nearest.y};
@@ -152,7 +152,7 @@ static bool is_filled(const sph2d_sim *sim, double x, double y, filling *sum)
 static bool is_full(const sph2d_sim *sim, double x, double y)
 {
     filling sum;
-    if (sim->scene.boundary.top == SPH2D_SIDE_WALL && sim->scene.walls == SPH2D_WALL_GENERALISED) {
+    if (sim->world.scene.boundary.top == SPH2D_SIDE_WALL && sim->world.scene.walls == SPH2D_WALL_GENERALISED) {
         sum = fill(sim, x, y);
         return sum.liquid + sum.walls >= ROOF_FILL;
     }
@@ -187,8 +187,8 @@ static double bisect(const sph2d_sim *sim, double x, double low, double high)
 /** Searches the line at x downwards, from the highest possible position of liquid to the lowest. */
 static double find_surface(const sph2d_sim *sim, double x)
 {
-    sph2d_boundary b = sim->scene.boundary;
-    sph2d_box d = sim->scene.domain;
+    sph2d_boundary b = sim->world.scene.boundary;
+    sph2d_box d = sim->world.box;
     double height = d.max.y - d.min.y, step = sim->system.spacing / SAMPLES;
     double y = b.top == SPH2D_SIDE_OPEN ? d.max.y + height : d.max.y;
     double end = b.bottom == SPH2D_SIDE_OPEN ? d.min.y - height : d.min.y;

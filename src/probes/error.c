@@ -57,12 +57,12 @@ static bool sum_differences(const sph2d_sim *sim, const sph2d_flow *flow, differ
 size_t sph2d__probe_error(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
 {
     (void)probe;
-    const sph2d_flow *flow = flow_of(&sim->scene);
+    const sph2d_flow *flow = flow_of(&sim->world.scene);
     differences d = {0};
     bool known = flow && sum_differences(sim, flow, &d);
     double unit = flow ? fabs(flow->speed) : 0;
     if (!(unit > 0)) /* a flow at rest: the speed that its pressure could make */
-        unit = sqrt(d.exact_pressure_max / sim->scene.fluid.density);
+        unit = sqrt(d.exact_pressure_max / sim->world.scene.fluid.density);
     double count = (double)sim->system.fluid.count;
     values[0] = d.speed / d.exact_speed;
     values[1] = d.vector / d.exact_speed;

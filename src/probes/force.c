@@ -6,7 +6,7 @@
 
 static const sph2d__load_state *load_of(const sph2d_sim *sim, const sph2d_probe *probe)
 {
-    return &sim->loads.states[sim->loads.of_probe[probe - sim->scene.probes]];
+    return &sim->loads.states[sim->loads.of_probe[probe - sim->world.scene.probes]];
 }
 
 size_t sph2d__probe_force(const sph2d_sim *sim, const sph2d_probe *probe, double *values)

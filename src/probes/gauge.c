@@ -24,7 +24,7 @@ enum { MIN_POINTS = 5, MAX_POINTS = 1001 };
 
 static double points_of(const sph2d_sim *sim, const sph2d_probe *probe)
 {
-    return fmin(fmax(MIN_POINTS, ceil(2 * probe->size / sim->scene.spacing)), MAX_POINTS);
+    return fmin(fmax(MIN_POINTS, ceil(2 * probe->size / sim->world.scene.spacing)), MAX_POINTS);
 }
 
 /** Pressure and density at a point; pressure 0 in air, density NaN. */
@@ -53,7 +53,7 @@ double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe)
 
 double sph2d__gauge_reading(const sph2d_sim *sim, size_t index)
 {
-    const sph2d_probe *probe = &sim->scene.probes[index];
+    const sph2d_probe *probe = &sim->world.scene.probes[index];
     return probe->rise_time > 0 ? sim->gauges[2 * index + 1] : sph2d__gauge_face(sim, probe);
 }
 
@@ -64,15 +64,15 @@ static bool has_rise_time(const sph2d_probe *probe)
 
 void sph2d__sim_start_gauges(sph2d_sim *sim)
 {
-    for (size_t i = 0; i < sim->scene.probe_count; ++i)
-        if (has_rise_time(&sim->scene.probes[i]))
-            sim->gauges[2 * i] = sim->gauges[2 * i + 1] = sph2d__gauge_face(sim, &sim->scene.probes[i]);
+    for (size_t i = 0; i < sim->world.scene.probe_count; ++i)
+        if (has_rise_time(&sim->world.scene.probes[i]))
+            sim->gauges[2 * i] = sim->gauges[2 * i + 1] = sph2d__gauge_face(sim, &sim->world.scene.probes[i]);
 }
 
 void sph2d__sim_read_gauges(sph2d_sim *sim, double dt)
 {
-    for (size_t i = 0; sim->gauges_lag && i < sim->scene.probe_count; ++i) {
-        const sph2d_probe *probe = &sim->scene.probes[i];
+    for (size_t i = 0; sim->gauges_lag && i < sim->world.scene.probe_count; ++i) {
+        const sph2d_probe *probe = &sim->world.scene.probes[i];
         if (!has_rise_time(probe))
             continue;
         double *before = &sim->gauges[2 * i], *reading = before + 1, now = sph2d__gauge_face(sim, probe);

@@ -21,7 +21,7 @@ size_t sph2d__probe_pressure(const sph2d_sim *sim, const sph2d_probe *probe, dou
     sph2d_sample sample;
     sph2d_sim_sample(sim, probe->at, &sample);
     bool gauge = probe->size > 0 || probe->rise_time > 0;
-    values[0] = gauge ? sph2d__gauge_reading(sim, (size_t)(probe - sim->scene.probes)) : sample.pressure;
+    values[0] = gauge ? sph2d__gauge_reading(sim, (size_t)(probe - sim->world.scene.probes)) : sample.pressure;
     values[1] = sample.density;
     values[2] = sample.neighbours;
     return 3;

@@ -21,9 +21,9 @@ size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[SPH2D_P
 {
     if (!sim || !values)
         return 0;
-    if (index >= sim->scene.probe_count || sph2d__sim_is_broken(sim))
+    if (index >= sim->world.scene.probe_count || sph2d__sim_is_broken(sim))
         return 0;
-    const sph2d_probe *probe = &sim->scene.probes[index];
+    const sph2d_probe *probe = &sim->world.scene.probes[index];
     size_t failures = sim->system.memory->failures, count = rows[probe->kind].evaluate(sim, probe, values);
     return sim->system.memory->failures == failures ? count : 0;
 }

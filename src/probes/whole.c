@@ -36,7 +36,7 @@ static sph2d_vec2 centre_of_mass(const sph2d_sim *sim, sph2d_vec2 from)
 
 static sph2d_vec2 domain_centre(const sph2d_sim *sim)
 {
-    sph2d_box d = sim->scene.domain;
+    sph2d_box d = sim->world.box;
     return (sph2d_vec2){(d.min.x + d.max.x) / 2, (d.min.y + d.max.y) / 2};
 }
 
@@ -71,7 +71,7 @@ size_t sph2d__probe_extent(const sph2d_sim *sim, const sph2d_probe *probe, doubl
         values[2] = fmin(values[2], f->y[i]);
         values[3] = fmax(values[3], f->y[i]);
     }
-    double half = sim->scene.spacing / 2; /* a particle is a square of liquid */
+    double half = sim->world.scene.spacing / 2; /* a particle is a square of liquid */
     values[0] -= half;
     values[1] += half;
     values[2] -= half;

@@ -24,26 +24,16 @@ typedef struct layer {
     double from, to, rate; /**< the inner end, the side [m]; 1/s */
 } layer;
 
-static bool has_opening(const sph2d_scene *scene, sph2d_side_name side)
+static layer layer_of(const sph2d__world *world, const sph2d_absorber *a)
 {
-    for (size_t i = 0; i < scene->opening_count; ++i)
-        if (scene->openings[i].side == side)
-            return true;
-    return false;
-}
-
-/** The layer in a simulation's own scene, which is larger by reservoirs behind openings. */
-static layer layer_of(const sph2d_scene *scene, const sph2d_absorber *a)
-{
+    const sph2d_scene *scene = &world->scene;
     bool low = a->side == SPH2D_SIDE_NAME_LEFT || a->side == SPH2D_SIDE_NAME_BOTTOM;
     layer l = {.across = a->side == SPH2D_SIDE_NAME_LEFT || a->side == SPH2D_SIDE_NAME_RIGHT,
-               .both = !has_opening(scene, a->side)};
+               .both = !sph2d__side_has_opening(scene, (int)a->side)};
     sph2d_vec2 end = low ? scene->domain.min : scene->domain.max;
-    double behind = l.both ? 0 : sph2d__reservoir_length(scene);
-    l.to = (l.across ? end.x : end.y) + (low ? behind : -behind);
+    l.to = l.across ? end.x : end.y;
     l.from = low ? l.to + a->length : l.to - a->length;
-    double g = hypot(scene->gravity.x, scene->gravity.y);
-    l.rate = a->rate > 0 ? a->rate : (l.both ? 1 : 2) * DEFAULT_RATE * sqrt(g / a->length);
+    l.rate = a->rate > 0 ? a->rate : (l.both ? 1 : 2) * DEFAULT_RATE * sqrt(world->gravity.size / a->length);
     return l;
 }
 
@@ -69,9 +59,9 @@ static double damp(const layer *l, sph2d__store *f, double dt)
 
 void sph2d__sim_absorb(sph2d_sim *sim, double dt)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     for (size_t k = 0; k < scene->absorber_count; ++k) {
-        const layer l = layer_of(scene, &scene->absorbers[k]);
+        const layer l = layer_of(&sim->world, &scene->absorbers[k]);
         sim->record.energy_forces -= sim->system.mass * damp(&l, &sim->system.fluid, dt);
     }
 }

@@ -84,7 +84,7 @@ const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim)
 {
     if (!sim)
         return NULL;
-    return &sim->given;
+    return &sim->world.scene;
 }
 
 const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim)

@@ -11,14 +11,9 @@
 #include "methods/wcsph/wcsph.h"
 #include "probes/probes.h"
 #include "run/run.h"
-#include "scene/bodies.h"
-#include "scene/checker.h"
-#include "scene/copy.h"
-#include "scene/derive.h"
 #include "scene/frame.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
-#include "scene/openings.h"
 #include "scene/resolve.h"
 #include "sim/stages.h"
 #include "simd/isa.h"
@@ -58,8 +53,9 @@ static const double MIN_NARROW_RATIO = 2.8;
 
 static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 {
-    const sph2d_scene *scene = &sim->scene;
-    sph2d__derived d = sph2d__scene_derive(&sim->given);
+    const sph2d_scene *scene = &sim->world.scene;
+    const sph2d__derived d = sim->world.derived;
+    const sph2d_box *box = &sim->world.box;
     sph2d__system *s = &sim->system;
     s->memory = &sim->memory;
     s->profile.phase = SPH2D_PHASE_COUNT;
@@ -75,11 +71,11 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->spring_head = d.spring_head;
     s->spring_energy = d.spring_energy;
     s->head = d.head > 0 ? d.head : scene->method.max_compression * s->sound_speed * s->sound_speed / 2;
-    s->fills = sph2d__liquid_fills(&sim->given);
+    s->fills = sph2d__liquid_fills(&sim->world);
     s->liquid = &scene->fluid;
     s->viscosity = sph2d__rheology_viscosity(s->liquid, 0);
     s->method = scene->method;
-    unsigned slips = sph2d__slips(scene);
+    unsigned slips = sph2d__wall_slips(&sim->world);
     s->walls_rough = slips >> SPH2D_SLIP_NONE & 1;
     s->walls_smooth = slips >> SPH2D_SLIP_SMOOTH & 1;
     s->wall_slip = s->walls_smooth ? SPH2D_SLIP_SMOOTH : s->walls_rough ? SPH2D_SLIP_NONE : SPH2D_SLIP_FREE;
@@ -94,7 +90,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->fluid.has = sim->method->fluid & ~unused;
     s->walls.has = walls;
     s->fluid_cells.period = s->wall_cells.period =
-        (sph2d__period){scene->domain.min.x, scene->domain.min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
+        (sph2d__period){box->min.x, box->min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
     bool wide = sim->method->project && s->reach < MIN_NARROW_RATIO * s->spacing;
     s->fluid_cells.columns = s->wall_cells.columns = wide ? 1 : COLUMNS;
     sph2d__forces_set(&s->forces, scene, s->sound_speed);
@@ -105,18 +101,17 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
 
 static sph2d_status allocate_arrays(sph2d_sim *sim)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     sim->points = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->interaction_count + 1, sizeof *sim->points);
-    sim->moving = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof *sim->moving);
+    sim->moving = sph2d__arena_alloc(&sim->arena, &sim->memory, sim->world.wall_count, sizeof *sim->moving);
     sim->source_rows = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->source_count + 1, sizeof(uint64_t));
     sim->output_counts =
         sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D_OUTPUT_PROBE + scene->probe_count, sizeof(uint64_t));
-    sim->obstacle_ids =
-        sph2d__arena_alloc(&sim->arena, &sim->memory, scene->obstacle_count + 1, sizeof *sim->obstacle_ids);
+    sim->wall_ids = sph2d__arena_alloc(&sim->arena, &sim->memory, sim->world.wall_count, sizeof *sim->wall_ids);
     sim->gauges = sph2d__arena_alloc(&sim->arena, &sim->memory, 2 * scene->probe_count + 1, sizeof(double));
     for (size_t i = 0; i < scene->probe_count; ++i)
         sim->gauges_lag |= scene->probes[i].kind == SPH2D_PROBE_PRESSURE && scene->probes[i].rise_time > 0;
-    bool ok = sim->gauges && sim->points && sim->moving && sim->obstacle_ids && sim->source_rows && sim->output_counts;
+    bool ok = sim->gauges && sim->points && sim->moving && sim->wall_ids && sim->source_rows && sim->output_counts;
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
 
@@ -177,61 +172,27 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     return status;
 }
 
-/** Gives gauges without a rise time their default. */
-static sph2d_status resolve_gauges(sph2d_sim *sim)
+/** Checks and resolves the scene, and sets the system, before anything is placed. */
+static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options, bool started,
+                           sph2d_report *report)
 {
-    sph2d_scene *scene = &sim->scene;
-    sph2d_probe *probes = sph2d__arena_alloc(&sim->arena, &sim->memory, scene->probe_count + 1, sizeof *probes);
-    if (!probes)
-        return SPH2D_NOMEM;
-    for (size_t i = 0; i < scene->probe_count; ++i) {
-        probes[i] = scene->probes[i];
-        if (probes[i].kind == SPH2D_PROBE_PRESSURE && isnan(probes[i].rise_time))
-            probes[i].rise_time = sph2d__gauge_rise_time(scene);
-    }
-    scene->probes = probes;
-    return SPH2D_OK;
-}
-
-/** Copies the scene, resolves its defaults and sets the system, before anything is placed. */
-static sph2d_status set_up(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options)
-{
-    sph2d_status status = sph2d__scene_copy(scene, &sim->arena, &sim->memory, &sim->scene);
+    sph2d_status status = sph2d__world_make(&sim->world, scene, started, &sim->arena, &sim->memory, report);
     if (status != SPH2D_OK)
         return status;
-    if (!sph2d__append_bodies(&sim->scene, &sim->arena, &sim->memory))
-        return SPH2D_NOMEM;
-    const sph2d_particles particles = sim->scene.particles;
-    if (particles.file) /* a resumed run does not know them: nothing follows from them but the liquid */
-        sim->scene.particles = (sph2d_particles){.file = particles.file};
-    sim->scene.method = sph2d__method_resolve(sim->scene.method);
-    sim->scene.walls = sph2d__side_form(&sim->scene);
-    sim->scene.fluid.regularisation = sph2d__regularisation(&sim->scene);
-    sim->scene.run.frames = sph2d__frames_resolve(&sim->scene);
-    status = sph2d__resolve_obstacles(&sim->scene, &sim->arena, &sim->memory);
-    if (status == SPH2D_OK)
-        status = resolve_gauges(sim);
-    if (status != SPH2D_OK)
-        return status;
-    sim->given = sim->scene;
-    sim->given.obstacle_count = sph2d__obstacles_without_bodies(&sim->scene);
-    if (!sph2d__add_reservoirs(&sim->scene, &sim->arena, &sim->memory))
-        return SPH2D_NOMEM;
-    size_t bends = sph2d__tank_bends(&sim->scene);
+    size_t bends = sph2d__tank_bends(&sim->world.scene);
     sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
     if (bends && !points)
         return SPH2D_NOMEM;
-    sim->tank = sph2d__tank_course(&sim->scene, points);
-    sim->method = sph2d__method_find(&sim->scene.method);
+    sim->tank = sph2d__tank_course(&sim->world.scene, points);
+    sim->method = sph2d__method_find(&sim->world.scene.method);
     set_system(sim, options);
-    sim->scene.particles = sim->given.particles = particles;
     return SPH2D_OK;
 }
 
 static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_sim_options *options,
                           const sph2d_state *state, sph2d_report *report)
 {
-    sph2d_status status = set_up(sim, scene, options);
+    sph2d_status status = set_up(sim, scene, options, state != NULL, report);
     if (status != SPH2D_OK)
         return status;
     if (!state && sph2d__sim_is_too_large(sim, report))
@@ -256,31 +217,32 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
     return status;
 }
 
+static sph2d_sim *new_sim(const sph2d_sim_options *options)
+{
+    sph2d__memory memory = sph2d__memory_from(options->allocator);
+    sph2d_sim *sim = sph2d__alloc(&memory, 1, sizeof *sim);
+    if (sim)
+        sim->memory = memory;
+    return sim;
+}
+
 static sph2d_status create(const sph2d_scene *scene, const sph2d_sim_options *options, const sph2d_state *state,
                            sph2d_sim **out, sph2d_report *report)
 {
     sph2d_sim_options defaults = sph2d_sim_options_default();
     options = options ? options : &defaults;
     sph2d_status status = check_options(options, report);
-    if (status == SPH2D_OK)
-        status = sph2d__scene_check(scene, state, report);
     if (status != SPH2D_OK)
         return status;
-    sph2d__memory memory = sph2d__memory_from(options->allocator);
-    sph2d_sim *sim = sph2d__alloc(&memory, 1, sizeof *sim);
-    if (sim) {
-        sim->memory = memory;
-        status = build(sim, scene, options, state, report);
-        sim->system.profile.on = options->profile;
-    }
-    if (!sim || status == SPH2D_NOMEM) {
+    sph2d_sim *sim = new_sim(options);
+    status = sim ? build(sim, scene, options, state, report) : SPH2D_NOMEM;
+    if (status == SPH2D_NOMEM)
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory while making the simulation");
-        status = SPH2D_NOMEM;
-    }
     if (status != SPH2D_OK) {
         sph2d_sim_destroy(sim);
         return status;
     }
+    sim->system.profile.on = options->profile;
     *out = sim;
     return SPH2D_OK;
 }
@@ -341,16 +303,11 @@ void sph2d_sim_destroy(sph2d_sim *sim)
 
 sph2d_status sph2d_scene_fits(const sph2d_scene *scene, sph2d_report *report)
 {
+    if (!scene)
+        return sph2d__null(report, __func__, "scene");
     sph2d_sim_options options = sph2d_sim_options_default();
-    sph2d_status status = sph2d_scene_check(scene, report);
-    if (status != SPH2D_OK)
-        return status;
-    sph2d__memory memory = sph2d__memory_from(options.allocator);
-    sph2d_sim *sim = sph2d__alloc(&memory, 1, sizeof *sim);
-    if (!sim)
-        return SPH2D_NOMEM;
-    sim->memory = memory;
-    status = set_up(sim, scene, &options);
+    sph2d_sim *sim = new_sim(&options);
+    sph2d_status status = sim ? set_up(sim, scene, &options, false, report) : SPH2D_NOMEM;
     if (status == SPH2D_OK && sph2d__sim_is_too_large(sim, report))
         status = SPH2D_SCENE;
     sph2d_sim_destroy(sim);

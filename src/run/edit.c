@@ -10,10 +10,10 @@
 /** Whether a position lies in a solid, where this is now. */
 static bool in_solid(const sph2d_sim *sim, sph2d_vec2 at)
 {
-    for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
-        const sph2d_obstacle *o = &sim->scene.obstacles[k];
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k) {
+        const sph2d__wall *o = &sim->world.walls[k];
         sph2d__pose pose = sph2d__sim_pose_of(sim, o);
-        if (sph2d__obstacle_fills(&sim->scene, o, sph2d__pose_invert(&pose, at)))
+        if (sph2d__wall_fills(&sim->world.scene, o, sph2d__pose_invert(&pose, at)))
             return true;
     }
     return false;
@@ -22,7 +22,7 @@ static bool in_solid(const sph2d_sim *sim, sph2d_vec2 at)
 static void add_one(sph2d_sim *sim, const sph2d_particle *p)
 {
     sph2d__store *fluid = &sim->system.fluid;
-    double rest = sim->scene.fluid.density;
+    double rest = sim->world.scene.fluid.density;
     size_t i = sph2d__store_add(fluid, sim->record.next_id++, p->x, p->y);
     fluid->density[i] = p->density > 0 ? p->density : rest;
     fluid->vx[i] = p->vx;

@@ -31,17 +31,18 @@
 /** Largest initial density of a block over rest density, with methods that sum density; at least 1. */
 static double start_compression(const sph2d_sim *sim)
 {
-    double largest = 1, dx = sim->scene.spacing;
-    for (size_t k = 0; k < sim->scene.block_count && sph2d__method_row_of(&sim->scene.method)->summed_density; ++k)
-        if (sim->scene.blocks[k].spacing > 0)
-            largest = fmax(largest, pow(dx / sim->scene.blocks[k].spacing, 2));
+    double largest = 1, dx = sim->world.scene.spacing;
+    for (size_t k = 0;
+         k < sim->world.scene.block_count && sph2d__method_row_of(&sim->world.scene.method)->summed_density; ++k)
+        if (sim->world.scene.blocks[k].spacing > 0)
+            largest = fmax(largest, pow(dx / sim->world.scene.blocks[k].spacing, 2));
     return largest;
 }
 
 sph2d__bounds sph2d__sim_bounds(const sph2d_sim *sim)
 {
-    const sph2d__method_row *row = sph2d__method_row_of(&sim->scene.method);
-    double rest = sim->system.rest_density, rise = sim->scene.run.max_energy_rise;
+    const sph2d__method_row *row = sph2d__method_row_of(&sim->world.scene.method);
+    double rest = sim->system.rest_density, rise = sim->world.scene.run.max_energy_rise;
     return (sph2d__bounds){row->min_density * rest, row->max_density * rest * start_compression(sim),
                            rise > 0 ? rise : row->energy_rise};
 }
@@ -114,10 +115,10 @@ static size_t find_fastest(const sph2d__store *f)
 static void find_remedies(const sph2d_sim *sim, char *out, size_t size)
 {
     const sph2d__record *r = &sim->record;
-    if (sim->scene.method.time_step > 0)
+    if (sim->world.scene.method.time_step > 0)
         snprintf(out, size, "leaving method.time_step out, for an adaptive step, or a shorter one");
     else if (2 * r->limited_viscous <= r->steps)
-        snprintf(out, size, "a smaller method.cfl, %s", sph2d__method_row_of(&sim->scene.method)->damping_hint);
+        snprintf(out, size, "a smaller method.cfl, %s", sph2d__method_row_of(&sim->world.scene.method)->damping_hint);
     else
         snprintf(out, size, "shorter steps, by a method.time_step of %.2g s", r->last_step / 2);
 }

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "run/run.h"
 #include "scene/method_table.h"
-#include "scene/wall_names.h"
+#include "scene/world.h"
 
 /* A step below this fraction of the stable step at rest is near collapse; so many in a row are a collapse. */
 static const double COLLAPSE = 1e-5;
@@ -21,10 +21,10 @@ typedef struct extremes {
 } extremes;
 
 /** The domain, unbounded at sides that are not walls. */
-static sph2d_box walled_box(const sph2d_scene *scene)
+static sph2d_box walled_box(const sph2d__world *world)
 {
-    sph2d_boundary b = scene->boundary;
-    sph2d_box d = scene->domain;
+    sph2d_boundary b = world->scene.boundary;
+    sph2d_box d = world->box;
     return (sph2d_box){
         {b.left == SPH2D_SIDE_WALL ? d.min.x : -INFINITY, b.bottom == SPH2D_SIDE_WALL ? d.min.y : -INFINITY},
         {b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY, b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY}};
@@ -34,16 +34,16 @@ static const extremes no_extremes = {.not_finite = SIZE_MAX, .escaped = SIZE_MAX
 
 /** Bounds to check. */
 typedef struct limits {
-    const sph2d_scene *scene;
+    const sph2d__world *world;
     sph2d_box box;
     sph2d__bounds density; /**< [kg/m^3] */
 } limits;
 
 /** Whether it has left through an open side, beyond the end of the walls. */
-static bool has_left(const sph2d_scene *scene, double x, double y)
+static bool has_left(const sph2d__world *world, double x, double y)
 {
-    const int side = sph2d__side_left(scene, x, y);
-    return side >= 0 && sph2d__side_of(scene, side) == SPH2D_SIDE_OPEN;
+    const int side = sph2d__side_left(&world->box, x, y);
+    return side >= 0 && sph2d__side_of(&world->scene, side) == SPH2D_SIDE_OPEN;
 }
 
 /** Those of particles first to last - 1. */
@@ -64,7 +64,7 @@ static extremes extremes_of(const sph2d__store *f, const limits *within, size_t 
         if (!isfinite(v2 + a2 + x + y) && i < e.not_finite)
             e.not_finite = i;
         if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e.escaped &&
-            !has_left(within->scene, x, y))
+            !has_left(within->world, x, y))
             e.escaped = i;
         if (!(f->density[i] >= low && f->density[i] <= high) && i < e.implausible)
             e.implausible = i;
@@ -86,7 +86,7 @@ static extremes join(extremes a, extremes b)
 static extremes find_extremes(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
-    const limits within = {&sim->scene, walled_box(&sim->scene), sph2d__sim_bounds(sim)};
+    const limits within = {&sim->world, walled_box(&sim->world), sph2d__sim_bounds(sim)};
     size_t count = f->count;
     extremes all = no_extremes;
 #pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN) shared(all, within)
@@ -126,7 +126,8 @@ static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report
             f->density[e->implausible], (unsigned long long)f->id[e->implausible], at.x, at.y,
             sph2d__sim_where(sim, at, where), (unsigned long long)sim->record.steps, sim->record.time);
         sph2d_diagnostic_hint(d, "look for blocks or sources that lie too close there%s",
-                              sph2d__method_row_of(&sim->scene.method)->summed_density ? "; lower method.cfl" : "");
+                              sph2d__method_row_of(&sim->world.scene.method)->summed_density ? "; lower method.cfl"
+                                                                                             : "");
         return false;
     }
     if (e->escaped != SIZE_MAX) {
@@ -153,7 +154,7 @@ static bool guard_solver(const sph2d_sim *sim, sph2d_report *report)
                          "the tolerance is %.3g (step %llu, time %g s)",
                          UNCONVERGED_STEPS, s->residual, s->wanted_residual, (unsigned long long)r->steps, r->time);
     sph2d_diagnostic_hint(d, "raise method.max_iterations, or %s",
-                          sph2d__method_row_of(&sim->scene.method)->convergence_hint);
+                          sph2d__method_row_of(&sim->world.scene.method)->convergence_hint);
     return false;
 }
 
@@ -163,7 +164,7 @@ static bool guard_speed(const sph2d_sim *sim, double speed, sph2d_report *report
 {
     const sph2d__system *s = &sim->system;
     const sph2d__store *f = &s->fluid;
-    const sph2d__method_row *row = sph2d__method_row_of(&sim->scene.method);
+    const sph2d__method_row *row = sph2d__method_row_of(&sim->world.scene.method);
     if (row->summed_density || !(speed > s->sound_speed))
         return true;
     size_t i = 0;
@@ -176,8 +177,8 @@ static bool guard_speed(const sph2d_sim *sim, double speed, sph2d_report *report
         (unsigned long long)f->id[i], speed, s->sound_speed, f->x[i], f->y[i],
         sph2d__sim_where(sim, (sph2d_vec2){f->x[i], f->y[i]}, where), (unsigned long long)sim->record.steps,
         sim->record.time);
-    bool given = sim->scene.method.sound_speed > 0 || sim->scene.method.stiffness > 0;
-    if (sim->scene.method.time_step > 0)
+    bool given = sim->world.scene.method.sound_speed > 0 || sim->world.scene.method.stiffness > 0;
+    if (sim->world.scene.method.time_step > 0)
         sph2d_diagnostic_hint(d, "leave method.time_step out for an adaptive step, or lower it");
     else if (given)
         sph2d_diagnostic_hint(d, "leave method.sound_speed and method.stiffness out, or raise the sound speed to ten "
@@ -194,7 +195,7 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
     double speed = sqrt(e->speed2);
     /* Where walls hold, a drop may be faster than the liquid. */
     const double fall = sim->method->walls_hold ? sqrt(2 * s->head) : 0, fastest = fall > 0 ? fall : speed;
-    if (sim->scene.method.time_step > 0 && fastest * r->next_step > s->support) {
+    if (sim->world.scene.method.time_step > 0 && fastest * r->next_step > s->support) {
         sph2d_diagnostic *d =
             sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_STEP_TOO_LARGE, "method.time_step",
                              "%s moves %g m in one step, more than the support radius %g m (step %llu, time %g s)",
@@ -208,7 +209,7 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
         return false;
     sph2d__limit limit;
     double at_rest = sim->method->stable_step(s, 0, 0, &limit);
-    bool adaptive = !(sim->scene.method.time_step > 0); /* a short step set by the scene is no collapse */
+    bool adaptive = !(sim->world.scene.method.time_step > 0); /* a short step set by the scene is no collapse */
     r->short_steps = adaptive && !(r->next_step > COLLAPSE * at_rest) ? r->short_steps + 1 : 0;
     if (r->short_steps >= COLLAPSED_STEPS) {
         sph2d_diagnostic *d =
@@ -225,7 +226,7 @@ static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
 /** Bodies that are not finite, or have left the domain by more than its size: nothing brings them back. */
 static bool guard_bodies(const sph2d_sim *sim, sph2d_report *report)
 {
-    sph2d_box d = sim->scene.domain;
+    sph2d_box d = sim->world.box;
     double wide = d.max.x - d.min.x, tall = d.max.y - d.min.y;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     for (size_t k = 0; k < sim->bodies.count; ++k) {

@@ -6,11 +6,11 @@
 static sph2d_rate rate_of(const sph2d_sim *sim, size_t output)
 {
     if (output == SPH2D_OUTPUT_SNAPSHOT)
-        return sim->scene.run.snapshots.rate;
+        return sim->world.scene.run.snapshots.rate;
     if (output == SPH2D_OUTPUT_FRAME)
-        return sim->scene.run.frames.rate;
-    if (output - SPH2D_OUTPUT_PROBE < sim->scene.probe_count)
-        return sim->scene.probes[output - SPH2D_OUTPUT_PROBE].rate;
+        return sim->world.scene.run.frames.rate;
+    if (output - SPH2D_OUTPUT_PROBE < sim->world.scene.probe_count)
+        return sim->world.scene.probes[output - SPH2D_OUTPUT_PROBE].rate;
     return (sph2d_rate){0, 0};
 }
 
@@ -31,14 +31,14 @@ uint64_t sph2d_sim_output_count(const sph2d_sim *sim, size_t output)
 {
     if (!sim)
         return 0;
-    return output < SPH2D_OUTPUT_PROBE + sim->scene.probe_count ? sim->output_counts[output] : 0;
+    return output < SPH2D_OUTPUT_PROBE + sim->world.scene.probe_count ? sim->output_counts[output] : 0;
 }
 
 void sph2d_sim_output_done(sph2d_sim *sim, size_t output)
 {
     if (!sim)
         return;
-    if (output >= SPH2D_OUTPUT_PROBE + sim->scene.probe_count)
+    if (output >= SPH2D_OUTPUT_PROBE + sim->world.scene.probe_count)
         return;
     ++sim->output_counts[output];
     if (output >= SPH2D_OUTPUT_PROBE)

@@ -5,7 +5,6 @@
 #include <stdio.h>
 
 #include "run/run.h"
-#include "scene/derive.h"
 
 static void write_formula(sph2d_plan *plan, const sph2d_scene *scene, const sph2d__derived *d)
 {
@@ -46,9 +45,9 @@ static const char *limit_name(sph2d__limit limit)
 
 void sph2d__sim_make_plan(sph2d_sim *sim)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     const sph2d__system *s = &sim->system;
-    sph2d__derived d = sph2d__scene_derive(&sim->given);
+    const sph2d__derived d = sim->world.derived;
     sph2d_plan *plan = &sim->plan;
     plan->fluid_particles = s->fluid.count;
     plan->wall_particles = s->walls.count;

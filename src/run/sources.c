@@ -57,7 +57,7 @@ bool sph2d__sim_has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, 
 {
     const sph2d__system *s = &sim->system;
     double distance = MIN_DISTANCE * s->spacing, margin = 0.25 * s->spacing;
-    sph2d_box d = sim->scene.domain;
+    sph2d_box d = sim->world.box;
     if (x < d.min.x + margin || x > d.max.x - margin || y < d.min.y + margin || y > d.max.y - margin)
         return false;
     if (sph2d__barrier_crosses(&sim->barrier, start, (sph2d_vec2){x, y}))
@@ -75,7 +75,7 @@ bool sph2d__sim_has_room(const sph2d_sim *sim, size_t sorted, sph2d_vec2 start, 
 /** Emits one row, advanced by its age since its due time, so that rows are evenly spaced for any time steps. */
 static sph2d_status emit_row(sph2d_sim *sim, size_t index, const emission *n, uint64_t row, double age, size_t sorted)
 {
-    const sph2d_source *source = &sim->scene.sources[index];
+    const sph2d_source *source = &sim->world.scene.sources[index];
     sph2d__store *fluid = &sim->system.fluid;
     size_t columns = (size_t)n->columns;
     if (fluid->count + columns > SPH2D__MAX_PARTICLES ||
@@ -92,7 +92,7 @@ static sph2d_status emit_row(sph2d_sim *sim, size_t index, const emission *n, ui
         }
         size_t i = sph2d__store_add(fluid, sim->record.next_id++, x, y);
         double spread = source->spread * source->speed;
-        fluid->density[i] = sim->scene.fluid.density;
+        fluid->density[i] = sim->world.scene.fluid.density;
         fluid->vx[i] = source->speed * n->ux + spread * sph2d__noise(source->seed, index, row, k, 0);
         fluid->vy[i] = source->speed * n->uy + spread * sph2d__noise(source->seed, index, row, k, 1);
         sph2d__forces_add(&sim->system.forces, (sph2d__place){x, y, fluid->vx[i], fluid->vy[i]}, &fluid->ax[i],
@@ -153,8 +153,8 @@ sph2d_status sph2d__sim_book_new_surface(sph2d_sim *sim, size_t sorted)
 /** Skips rows that were due so long ago that they would have left the domain by now. */
 static void skip_rows(sph2d_sim *sim, size_t index, const emission *n)
 {
-    const sph2d_source *source = &sim->scene.sources[index];
-    sph2d_box d = sim->scene.domain;
+    const sph2d_source *source = &sim->world.scene.sources[index];
+    sph2d_box d = sim->world.box;
     double crossing_time = hypot(d.max.x - d.min.x, d.max.y - d.min.y) / source->speed;
     double oldest = sim->record.time - crossing_time;
     if (source->stop > 0)
@@ -173,9 +173,9 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
     sph2d_status fed = sph2d__openings_feed(sim);
     if (fed != SPH2D_OK)
         return fed;
-    for (size_t i = 0; i < sim->scene.source_count; ++i) {
-        const sph2d_source *source = &sim->scene.sources[i];
-        emission n = emission_of(&sim->scene, source);
+    for (size_t i = 0; i < sim->world.scene.source_count; ++i) {
+        const sph2d_source *source = &sim->world.scene.sources[i];
+        emission n = emission_of(&sim->world.scene, source);
         skip_rows(sim, i, &n);
         for (;;) {
             uint64_t row = sim->source_rows[i];
@@ -194,9 +194,9 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
 /* ---- drains and open sides --------------------------------------------------------------------------------------- */
 
 /* Within one more width or height of the domain it is kept, as it may come back. */
-int sph2d__side_left(const sph2d_scene *scene, double x, double y)
+int sph2d__side_left(const sph2d_box *box, double x, double y)
 {
-    sph2d_box d = scene->domain;
+    sph2d_box d = *box;
     double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
     if (x < d.min.x - width)
         return 0;
@@ -214,7 +214,7 @@ static bool any_left(const sph2d_sim *sim)
     bool any = false;
 #pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN) shared(any)
     for (size_t i = 0; i < f->count; ++i)
-        if (sph2d__side_left(&sim->scene, f->x[i], f->y[i]) >= 0) {
+        if (sph2d__side_left(&sim->world.box, f->x[i], f->y[i]) >= 0) {
 #pragma omp atomic write
             any = true;
         }
@@ -223,8 +223,8 @@ static bool any_left(const sph2d_sim *sim)
 
 static bool in_drain(const sph2d_sim *sim, double x, double y)
 {
-    for (size_t i = 0; i < sim->scene.drain_count; ++i) {
-        const sph2d_drain *drain = &sim->scene.drains[i];
+    for (size_t i = 0; i < sim->world.scene.drain_count; ++i) {
+        const sph2d_drain *drain = &sim->world.scene.drains[i];
         bool open = sim->record.time >= drain->start && (drain->stop <= 0 || sim->record.time < drain->stop);
         if (open && sph2d__shape_contains(&drain->shape, (sph2d_vec2){x, y}))
             return true;
@@ -251,7 +251,7 @@ static void count_removed(sph2d_sim *sim, size_t i)
     const sph2d__store *f = &sim->system.fluid;
     sph2d__record *r = &sim->record;
     uint64_t *left[4] = {&r->left_left, &r->left_right, &r->left_bottom, &r->left_top};
-    int side = sph2d__side_left(&sim->scene, f->x[i], f->y[i]);
+    int side = sph2d__side_left(&sim->world.box, f->x[i], f->y[i]);
     bool let_out = side < 0 && sph2d__openings_spent(sim, f->x[i], f->y[i]);
     if (let_out)
         sph2d__openings_count_out(sim, f->x[i], f->y[i]);
@@ -276,8 +276,8 @@ static bool flag_removed(sph2d_sim *sim)
     bool any = false;
 #pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN) shared(any)
     for (size_t i = 0; i < f->count; ++i) {
-        sim->to_remove[i] = sph2d__side_left(&sim->scene, f->x[i], f->y[i]) >= 0 || in_drain(sim, f->x[i], f->y[i]) ||
-                            sph2d__openings_spent(sim, f->x[i], f->y[i]);
+        sim->to_remove[i] = sph2d__side_left(&sim->world.box, f->x[i], f->y[i]) >= 0 ||
+                            in_drain(sim, f->x[i], f->y[i]) || sph2d__openings_spent(sim, f->x[i], f->y[i]);
         if (sim->to_remove[i]) {
 #pragma omp atomic write
             any = true;
@@ -306,9 +306,9 @@ sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim)
 
 sph2d_status sph2d__sim_drain(sph2d_sim *sim)
 {
-    if (!removes_particles(&sim->scene))
+    if (!removes_particles(&sim->world.scene))
         return SPH2D_OK;
-    if (sim->scene.drain_count == 0 && sim->scene.opening_count == 0 && !any_left(sim))
+    if (sim->world.scene.drain_count == 0 && sim->world.scene.opening_count == 0 && !any_left(sim))
         return SPH2D_OK;
     if (!sph2d__sim_reserve_flags(sim))
         return SPH2D_NOMEM;

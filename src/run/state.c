@@ -49,13 +49,13 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
 #undef COUNT
     out[n++] = run_array("ActingForces", "gravity, place, reach and strength of the pointer in the last evaluation",
                          SPH2D_F64, SPH2D__STEERING_VALUES, &sim->acting);
-    out[n++] =
-        run_array("SourceRows", "rows that each source has fed", SPH2D_U64, sim->scene.source_count, sim->source_rows);
+    out[n++] = run_array("SourceRows", "rows that each source has fed", SPH2D_U64, sim->world.scene.source_count,
+                         sim->source_rows);
     out[n++] = run_array("OutputCounts", "outputs taken: snapshots, frames, then each probe", SPH2D_U64,
-                         SPH2D_OUTPUT_PROBE + sim->scene.probe_count, sim->output_counts);
+                         SPH2D_OUTPUT_PROBE + sim->world.scene.probe_count, sim->output_counts);
     if (sim->gauges_lag) {
         out[n] = run_array("GaugePressures", "of each probe: pressure on a gauge's face, and what it shows", SPH2D_F64,
-                           2 * sim->scene.probe_count, sim->gauges);
+                           2 * sim->world.scene.probe_count, sim->gauges);
         memcpy(out[n++].array.unit, (signed char[3]){-1, 1, -2}, 3);
     }
     out[n++] =
@@ -187,7 +187,7 @@ static size_t fluid_count(const sph2d_state *state)
 static void check_positions(loader *l, const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
-    sph2d_box d = sim->scene.domain;
+    sph2d_box d = sim->world.box;
     double reach = 100 * fmax(d.max.x - d.min.x, d.max.y - d.min.y);
     for (size_t i = 0; i < f->count; ++i)
         if (fabs(f->x[i] - d.min.x) > reach || fabs(f->y[i] - d.min.y) > reach) {

@@ -11,8 +11,8 @@ static const double IMPACT_WINDOW = 0.05;
 
 static bool in_impact(const sph2d_sim *sim)
 {
-    for (size_t i = 0; i < sim->scene.run.impacts.count; ++i) {
-        double since = sim->record.time - sim->scene.run.impacts.items[i];
+    for (size_t i = 0; i < sim->world.scene.run.impacts.count; ++i) {
+        double since = sim->record.time - sim->world.scene.run.impacts.items[i];
         if (since >= 0 && since < IMPACT_WINDOW)
             return true;
     }

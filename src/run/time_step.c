@@ -11,10 +11,10 @@ static const double STEP_GROWTH = 1.2;
 static double source_speed(const sph2d_sim *sim)
 {
     double speed = 0, time = sim->record.time;
-    for (size_t i = 0; i < sim->scene.opening_count; ++i)
-        speed = fmax(speed, sph2d__opening_speed(&sim->given, &sim->scene.openings[i]));
-    for (size_t i = 0; i < sim->scene.source_count; ++i) {
-        const sph2d_source *source = &sim->scene.sources[i];
+    for (size_t i = 0; i < sim->world.scene.opening_count; ++i)
+        speed = fmax(speed, sph2d__opening_speed(&sim->world.scene, &sim->world.scene.openings[i]));
+    for (size_t i = 0; i < sim->world.scene.source_count; ++i) {
+        const sph2d_source *source = &sim->world.scene.sources[i];
         if (time >= source->start && (source->stop <= 0 || time < source->stop))
             speed = fmax(speed, source->speed * (1 + source->spread * sqrt(2)));
     }
@@ -26,7 +26,7 @@ void sph2d__sim_choose_step(sph2d_sim *sim, double fastest, double acceleration)
     sph2d__record *r = &sim->record;
     double speed = fmax(fmax(fastest, source_speed(sim)), sph2d__bodies_speed(sim));
     sph2d__limit limit = SPH2D__LIMIT_FIXED;
-    double dt = sim->scene.method.time_step;
+    double dt = sim->world.scene.method.time_step;
     if (!(dt > 0)) {
         dt = sim->method->stable_step(&sim->system, speed, acceleration, &limit);
         double bodies = sph2d__bodies_step(sim);

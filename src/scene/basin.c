@@ -2,11 +2,10 @@
 /** @file basin.c
  *  The height from which the liquid of a scene can fall, as far as it gets (flood.h) within the height that its energy
  *  allows. */
-#include "scene/basin.h"
+#include "scene/derive.h"
 
 #include <math.h>
 
-#include "scene/bodies.h"
 #include "scene/flood.h"
 #include "scene/openings.h"
 
@@ -85,7 +84,7 @@ static double highest_fall(sph2d__flood *g, double extra_head, bool walled)
         fall = fmax(fall, fall_from(g, scene->sources[i].at, extra_head, walled));
     for (size_t i = 0; i < scene->opening_count; ++i)
         fall = fmax(fall, fall_from_opening(g, &scene->openings[i], extra_head, walled));
-    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i) {
+    for (size_t i = 0; !scene->particles.file && i < scene->particles.count; ++i) {
         sph2d_vec2 p = {scene->particles.items[i].x, scene->particles.items[i].y};
         top = fmax(top, sph2d__flood_height(g, p));
         if (walled)
@@ -94,17 +93,17 @@ static double highest_fall(sph2d__flood *g, double extra_head, bool walled)
     return top > 0 ? fmax(fall, top - (walled ? lowest_below(g, top + extra_head) : 0)) : fall;
 }
 
-double sph2d__basin_height(const sph2d_scene *scene, double extra_head)
+double sph2d__basin_height(const sph2d__world *world, double extra_head)
 {
-    double strength = hypot(scene->gravity.x, scene->gravity.y);
-    sph2d_vec2 up = {-scene->gravity.x / strength, -scene->gravity.y / strength};
+    const sph2d_scene *scene = &world->scene;
+    const sph2d_vec2 up = world->gravity.up;
     size_t fixed = 0;
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        fixed += !sph2d__obstacle_moves(&scene->obstacles[i]);
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k)
+        fixed += !sph2d__wall_moves(&world->walls[k]);
     double liquids = (double)scene->block_count + (double)scene->source_count + 2 * (double)scene->opening_count + 1;
-    sph2d__flood g = {.scene = scene, .up_x = up.x, .up_y = up.y};
+    sph2d__flood g = {.world = world, .scene = scene, .up_x = up.x, .up_y = up.y};
     g.lowest = sph2d__flood_heights(&g, scene->domain).x;
-    bool walled = fixed > 0 && sph2d__flood_cells(scene) * liquids <= MAX_VISITS && sph2d__flood_make(&g, scene, up);
+    bool walled = fixed > 0 && sph2d__flood_cells(scene) * liquids <= MAX_VISITS && sph2d__flood_make(&g, world, up);
     double fall = highest_fall(&g, extra_head, walled);
     if (walled)
         sph2d__flood_free(&g);

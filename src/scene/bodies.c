@@ -3,12 +3,8 @@
 #include "scene/bodies.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "base/pi.h"
-#include "scene/motion.h"
-#include "scene/openings.h"
 #include "scene/shape.h"
 
 /** Area and second moment about the centroid of a closed outline. */
@@ -104,54 +100,4 @@ double sph2d__spring_speed(const sph2d_body *body)
     for (size_t i = 0; i < body->spring_count; ++i)
         square += 2 * sph2d__spring_energy(body, &body->springs[i]) * yielding(body, &body->springs[i]);
     return sqrt(square);
-}
-
-static sph2d_obstacle obstacle_of(const sph2d_body *body)
-{
-    sph2d_obstacle obstacle = sph2d_obstacle_default();
-    obstacle.name = body->name;
-    obstacle.shape = body->shape;
-    obstacle.form = body->form;
-    obstacle.slip = body->slip;
-    obstacle.body = body;
-    return obstacle;
-}
-
-bool sph2d__append_bodies(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory)
-{
-    size_t before = scene->obstacle_count, count = before + scene->body_count;
-    if (scene->body_count == 0)
-        return true;
-    sph2d_obstacle *all = sph2d__arena_alloc(arena, memory, count, sizeof *all);
-    if (!all)
-        return false;
-    if (before > 0)
-        memcpy(all, scene->obstacles, before * sizeof *all);
-    for (size_t k = 0; k < scene->body_count; ++k)
-        all[before + k] = obstacle_of(&scene->bodies[k]);
-    scene->obstacles = all;
-    scene->obstacle_count = count;
-    return true;
-}
-
-bool sph2d__obstacle_moves(const sph2d_obstacle *obstacle)
-{
-    return obstacle->body || sph2d__motion_moves(&obstacle->motion);
-}
-
-bool sph2d__obstacle_turns(const sph2d_obstacle *obstacle)
-{
-    return obstacle->body ? obstacle->body->hold.angle == SPH2D_SWITCH_OFF : sph2d__motion_turns(&obstacle->motion);
-}
-
-const char *sph2d__obstacle_path(char *path, size_t size, const sph2d_scene *scene, size_t index, const char *rest)
-{
-    size_t first = sph2d__obstacles_without_bodies(scene);
-    bool body = index >= first;
-    if (sph2d__is_beside_opening(&scene->obstacles[index])) {
-        snprintf(path, size, "boundary.%s", scene->obstacles[index].name);
-        return path;
-    }
-    snprintf(path, size, "%s[%zu]%s", body ? "bodies" : "obstacles", body ? index - first : index, rest);
-    return path;
 }

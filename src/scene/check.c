@@ -8,10 +8,10 @@
 #include <string.h>
 
 #include "base/null.h"
-#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/liquid_side.h"
+#include "scene/openings.h"
 #include "scene/shape.h"
 #include "scene/start.h"
 #include "sph2d/key.h"
@@ -224,7 +224,7 @@ static void check_contents(checker *c)
         sph2d_diagnostic_hint(d, "add a block, `blocks: [{box: {min: [0, 0], max: [0.4, 0.8]}}]`, or a source");
         return;
     }
-    double c0 = c->errors == 0 ? sph2d__scene_derive(scene).sound_speed : 1;
+    double c0 = c->errors == 0 ? c->world->derived.sound_speed : 1;
     if (!isfinite(c0))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "method",
                            "the sound speed that follows from the scene is not finite");
@@ -242,12 +242,12 @@ static void check_nozzle(checker *c, size_t i)
     sph2d_vec2 at = scene->sources[i].at;
     char path[PATH_SIZE], other[64], message[160];
     sph2d__check_path(path, "sources", i, ".at");
-    for (size_t k = 0; k < scene->obstacle_count; ++k) {
-        const sph2d_obstacle *o = &scene->obstacles[k];
-        if ((!o->body && sph2d__obstacle_moves(o)) || !sph2d__obstacle_fills(scene, o, at))
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < c->world->wall_count; ++k) {
+        const sph2d__wall *o = &c->world->walls[k];
+        if ((!o->body && sph2d__wall_moves(o)) || !sph2d__wall_fills(scene, o, at))
             continue;
         snprintf(message, sizeof message, "lies inside %s: a nozzle there cannot feed the liquid",
-                 sph2d__obstacle_path(other, sizeof other, scene, k, ""));
+                 sph2d__wall_path(other, sizeof other, o, ""));
         sph2d_diagnostic *d = o->body
                                   ? sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP, path, "%s", message)
                                   : sph2d__check_fault(c, SPH2D_CODE_OVERLAP, path, message);
@@ -264,8 +264,8 @@ static void check_nozzle(checker *c, size_t i)
         }
 }
 
-/** Checks consistency: ranges are checked. */
-static void check_consistency(checker *c)
+/** Checks what is drawn, item by item; ranges are checked. */
+static void check_items(checker *c)
 {
     const sph2d_scene *scene = c->scene;
     for (size_t i = 0; i < scene->block_count; ++i)
@@ -281,6 +281,20 @@ static void check_consistency(checker *c)
     for (size_t i = 0; i < scene->absorber_count; ++i)
         check_absorber(c, i);
     sph2d__check_obstacles(c);
+}
+
+/** Checks what lies or moves where other things are; without errors before, the world is settled. */
+static void check_consistency(checker *c)
+{
+    const sph2d_scene *scene = c->scene;
+    if (c->errors == 0)
+        sph2d__check_bodies(c);
+    if (c->errors == 0)
+        sph2d__check_motions(c);
+    if (c->errors == 0) {
+        sph2d__check_thin(c);
+        sph2d__check_narrow(c);
+    }
     sph2d__check_liquid(c);
     if (c->errors == 0)
         sph2d__check_openings(c);
@@ -301,33 +315,59 @@ static void check_consistency(checker *c)
     }
 }
 
-sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
+/** Checks what all else depends on: a list that can be read, numbers in range, a domain that holds a particle. */
+static bool check_base(checker *c)
 {
-    return scene ? sph2d__scene_check(scene, false, report) : sph2d__null(report, __func__, "scene");
+    if (c->scene->struct_size != sizeof *c->scene) {
+        sph2d__check_fault(c, SPH2D_CODE_GENERAL, NULL,
+                           "the scene was not made by sph2d_scene_default() of this version");
+        return false;
+    }
+    check_lists(c);
+    if (c->errors > 0)
+        return false;
+    sph2d__check_ranges(c);
+    return sph2d__check_box(c, c->scene->domain, "domain") && c->scene->spacing > 0 && !c->broken &&
+           check_precision(c) && check_spacing(c);
 }
 
-sph2d_status sph2d__scene_check(const sph2d_scene *scene, bool started, sph2d_report *report)
+/** Once outlines are valid: the wet sides of lines, and what follows from the whole. */
+static sph2d_status settle(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
 {
-    checker c = {.scene = scene, .report = report, .started = started};
-    if (scene->struct_size != sizeof *scene) {
-        sph2d__check_fault(&c, SPH2D_CODE_GENERAL, NULL,
-                           "the scene was not made by sph2d_scene_default() of this version");
+    sph2d_status status = sph2d__settle_sides(world, arena, memory);
+    return status == SPH2D_OK ? sph2d__derive(world, arena, memory) : status;
+}
+
+sph2d_status sph2d__world_make(sph2d__world *world, const sph2d_scene *scene, bool started, sph2d__arena *arena,
+                               sph2d__memory *memory, sph2d_report *report)
+{
+    checker c = {.given = scene, .world = world, .scene = scene, .report = report, .started = started};
+    if (!check_base(&c))
         return SPH2D_SCENE;
-    }
-    check_lists(&c);
+    sph2d_status status = sph2d__world_copy(world, scene, arena, memory);
+    if (status != SPH2D_OK)
+        return status;
+    c.scene = &world->scene;
+    check_items(&c);
+    if (c.errors == 0)
+        status = settle(world, arena, memory);
+    if (status != SPH2D_OK)
+        return status;
+    check_consistency(&c);
     if (c.errors > 0)
         return SPH2D_SCENE;
-    sph2d__check_ranges(&c);
-    if (!sph2d__check_box(&c, scene->domain, "domain") || !(scene->spacing > 0) || c.broken || !check_precision(&c) ||
-        !check_spacing(&c))
-        return SPH2D_SCENE; /* the other checks depend on these */
+    sph2d__add_reservoirs(world);
+    return SPH2D_OK;
+}
+
+sph2d_status sph2d_scene_check(const sph2d_scene *scene, sph2d_report *report)
+{
+    if (!scene)
+        return sph2d__null(report, __func__, "scene");
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
     sph2d__arena arena = {0};
-    sph2d_scene with_bodies = *scene;
-    bool ok = sph2d__append_bodies(&with_bodies, &arena, &memory);
-    c.scene = &with_bodies;
-    if (ok)
-        check_consistency(&c);
+    sph2d__world world;
+    sph2d_status status = sph2d__world_make(&world, scene, false, &arena, &memory, report);
     sph2d__arena_free(&arena, &memory);
-    return !ok ? SPH2D_NOMEM : c.errors > 0 ? SPH2D_SCENE : SPH2D_OK;
+    return status;
 }

@@ -7,9 +7,7 @@
 #include "base/pi.h"
 #include "scene/bodies.h"
 #include "scene/checker.h"
-#include "scene/derive.h"
 #include "scene/overlap.h"
-#include "scene/resolve.h"
 #include "scene/shape.h"
 
 typedef sph2d__checker checker;
@@ -149,9 +147,8 @@ static const double SPRING_STEP = 0.3;
 static void check_springs(checker *c, size_t k)
 {
     const sph2d_body *body = &c->scene->bodies[k];
-    sph2d__derived d = sph2d__scene_derive(c->scene);
-    sph2d_method_options m = sph2d__method_resolve(c->scene->method);
-    double mass = sph2d__body_mass(body).mass, liquid = m.cfl * d.support_radius / d.sound_speed;
+    const sph2d__derived *d = &c->world->derived;
+    double mass = sph2d__body_mass(body).mass, liquid = c->scene->method.cfl * d->support_radius / d->sound_speed;
     for (size_t i = 0; i < body->spring_count; ++i) {
         double step = SPRING_STEP * sqrt(mass / body->springs[i].stiffness);
         char key[64], text[160];
@@ -172,25 +169,24 @@ static double piece_of(const sph2d_scene *scene, const sph2d_shape *outline)
     return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
 }
 
-/** Whether a body, which is obstacle `own` of the scene, overlaps obstacle `other`. */
+/** Whether a body, which is wall `own`, overlaps wall `other`. */
 static bool overlaps(const checker *c, size_t own, size_t other)
 {
     const sph2d_scene *scene = c->scene;
     sph2d__pose start = {.cosine = 1};
-    const sph2d_box a = sph2d__shape_bounds(&scene->obstacles[own].shape);
-    const sph2d_box b = sph2d__shape_bounds(&scene->obstacles[other].shape);
+    const sph2d__wall *body = &c->world->walls[own], *wall = &c->world->walls[other];
+    const sph2d_box a = sph2d__shape_bounds(&body->shape), b = sph2d__shape_bounds(&wall->shape);
     if (a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y)
         return false;
-    const sph2d_obstacle *body = &scene->obstacles[own], *wall = &scene->obstacles[other];
     double piece = fmax(piece_of(scene, &body->shape), piece_of(scene, &wall->shape));
-    return sph2d__obstacles_overlap(body, &start, wall, piece, DEPTH * scene->spacing);
+    return sph2d__walls_overlap(body, &start, wall, piece, DEPTH * scene->spacing);
 }
 
 /** A body starts within the domain's walls and clear of obstacles and of the bodies before it. */
 static void check_place(checker *c, size_t k)
 {
     const sph2d_scene *scene = c->scene;
-    size_t own = sph2d__obstacles_without_bodies(scene) + k;
+    size_t own = c->world->first_body + k;
     sph2d__pose start = {.cosine = 1};
     const char *side = "";
     char text[160], other[64];
@@ -201,23 +197,27 @@ static void check_place(checker *c, size_t k)
         fault(c, k, SPH2D_CODE_OUTSIDE, "", text);
         return;
     }
-    for (size_t i = 0; i < own; ++i) {
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < own; ++i) {
         if (!overlaps(c, own, i))
             continue;
-        snprintf(text, sizeof text, "starts in %s", sph2d__obstacle_path(other, sizeof other, scene, i, ""));
+        snprintf(text, sizeof text, "starts in %s", sph2d__wall_path(other, sizeof other, &c->world->walls[i], ""));
         sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_OVERLAP, "", text), "move one of the two");
         return;
     }
 }
 
-void sph2d__check_bodies(checker *c)
+void sph2d__check_body_keys(checker *c)
 {
     for (size_t k = 0; k < c->scene->body_count; ++k) {
         check_mass(c, k);
         check_hold(c, k);
         check_form(c, k);
     }
-    for (size_t k = 0; c->errors == 0 && k < c->scene->body_count; ++k) {
+}
+
+void sph2d__check_bodies(checker *c)
+{
+    for (size_t k = 0; k < c->scene->body_count; ++k) {
         check_size(c, k);
         check_center(c, k);
         check_inertia(c, k);

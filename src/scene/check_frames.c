@@ -12,11 +12,9 @@ static void check_follow(sph2d__checker *c, const char *name)
 {
     enum { MOST = 20 };
     const char *names[MOST + 1] = {NULL};
-    const sph2d_scene *scene = c->scene;
     size_t count = 0;
-    for (size_t k = 0; k < scene->obstacle_count + scene->body_count; ++k) {
-        const char *other =
-            k < scene->obstacle_count ? scene->obstacles[k].name : scene->bodies[k - scene->obstacle_count].name;
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < c->world->wall_count; ++k) {
+        const char *other = c->world->walls[k].name;
         if (other && strcmp(other, name) == 0)
             return;
         if (other && count < MOST)

@@ -116,7 +116,7 @@ void sph2d__check_liquid(checker *c)
         check_method(c);
         return;
     }
-    if (c->scene->wall_slip == SPH2D_SLIP_SMOOTH || sph2d__slips(c->scene) >> SPH2D_SLIP_SMOOTH & 1)
+    if (c->scene->wall_slip == SPH2D_SLIP_SMOOTH || sph2d__wall_slips(c->world) >> SPH2D_SLIP_SMOOTH & 1)
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "wall_slip",
                            "smooth walls have the friction of newtonian liquids: use none or free");
 }

@@ -8,13 +8,11 @@
 
 #include "kernels/kernel.h"
 #include "scene/checker.h"
-#include "scene/derive.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
-#include "scene/wall_names.h"
 #include "sph2d/key.h"
 
 /** Adds a hint for a feature that the scene's method does not have. */
@@ -75,7 +73,7 @@ static const sph2d_keys *method_keys(void)
 
 static void check_keys(sph2d__checker *c)
 {
-    const sph2d_method_options *m = &c->scene->method;
+    const sph2d_method_options *m = &c->given->method;
     const sph2d_keys *keys = method_keys();
     for (size_t k = 0; k < keys->count; ++k) {
         const sph2d_key *key = &keys->items[k];
@@ -112,15 +110,21 @@ static void check_slip_of_bodies(sph2d__checker *c)
     const sph2d_scene *scene = c->scene;
     char path[SPH2D__PATH_SIZE];
     bool has = sph2d_method_has(sph2d_method_of(&scene->method), SPH2D_FEATURE_WALL_SLIP);
-    for (size_t i = 0; has && i < scene->obstacle_count && scene->method.name != SPH2D_METHOD_WCSPH &&
-                       scene->method.name != SPH2D_METHOD_CONSTRAINT;
-         ++i) {
-        if (!scene->obstacles[i].body || sph2d__obstacle_slip(scene, &scene->obstacles[i]) == SPH2D_SLIP_FREE)
+    if (!has || scene->method.name == SPH2D_METHOD_WCSPH || scene->method.name == SPH2D_METHOD_CONSTRAINT)
+        return;
+    for (size_t i = c->world->first_body; i < c->world->wall_count; ++i) {
+        if (c->world->walls[i].slip == SPH2D_SLIP_FREE)
             continue;
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".slip"),
                                                  "bodies have free slip with this method");
         sph2d_diagnostic_hint(d, "give it `slip: free`, or use `method: wcsph`");
     }
+}
+
+/** The slip that the scene gives an obstacle or body. */
+static sph2d_wall_slip own_slip(const sph2d_scene *scene, const sph2d__wall *wall)
+{
+    return wall->body ? wall->body->slip : scene->obstacles[wall->index].slip;
 }
 
 static void check_slips(sph2d__checker *c)
@@ -135,17 +139,16 @@ static void check_slips(sph2d__checker *c)
     check_slip(c, "wall_slip", scene->wall_slip);
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side) {
         snprintf(path, sizeof path, "side_slip.%s", sph2d__side_word(side));
-        sph2d_slip slip = sph2d__side_slip(scene, side);
+        sph2d_slip slip = c->world->walls[side].slip;
         if (own[side] != SPH2D_WALL_SLIP_DEFAULT)
             check_own_slip(c, path, slip, sph2d__side_of(scene, side) == SPH2D_SIDE_WALL);
         slides = slides || (speeds[side] != 0 && slip == SPH2D_SLIP_FREE);
     }
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (scene->obstacles[i].slip != SPH2D_WALL_SLIP_DEFAULT)
-            check_own_slip(c, sph2d__check_wall_path(c, path, i, ".slip"),
-                           sph2d__obstacle_slip(scene, &scene->obstacles[i]), true);
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count; ++i)
+        if (own_slip(scene, &c->world->walls[i]) != SPH2D_WALL_SLIP_DEFAULT)
+            check_own_slip(c, sph2d__check_wall_path(c, path, i, ".slip"), c->world->walls[i].slip, true);
     check_slip_of_bodies(c);
-    bool smooth = scene->wall_slip == SPH2D_SLIP_SMOOTH || (sph2d__slips(scene) >> SPH2D_SLIP_SMOOTH & 1);
+    bool smooth = scene->wall_slip == SPH2D_SLIP_SMOOTH || (sph2d__wall_slips(c->world) >> SPH2D_SLIP_SMOOTH & 1);
     if (scene->slip_length != 0 && !smooth)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, "slip_length",
                            "has an effect on smooth walls only; use wall_slip: smooth");
@@ -199,10 +202,10 @@ static const double MAX_FITTED_SUPPORT = 3, MAX_CELL_REYNOLDS = 100;
 
 static void check_fitted_support(sph2d__checker *c)
 {
-    sph2d_method_options defaults = c->scene->method;
+    sph2d_method_options defaults = c->given->method;
     if (c->errors > 0) /* what is derived needs a valid scene */
         return;
-    double cell = c->scene->fluid.density * sph2d__scene_derive(c->scene).speed * c->scene->spacing;
+    double cell = c->scene->fluid.density * c->world->derived.speed * c->scene->spacing;
     if (defaults.name != SPH2D_METHOD_WCSPH || defaults.operators != SPH2D_OPERATORS_FITTED ||
         !(defaults.support_ratio > MAX_FITTED_SUPPORT) ||
         !(cell > MAX_CELL_REYNOLDS * c->scene->fluid.dynamic_viscosity))
@@ -218,7 +221,7 @@ static void check_fitted_support(sph2d__checker *c)
  * H/dx spacings in it: beyond one, past those that the pressure was to keep it off. */
 static void check_projected_step(sph2d__checker *c)
 {
-    sph2d_method_options m = sph2d__method_resolve(c->scene->method), defaults = c->scene->method;
+    sph2d_method_options m = c->scene->method, defaults = c->given->method;
     if (!sph2d__method_row_of(&m)->cfl_by_spacing || !(m.cfl * m.support_ratio > 1))
         return;
     char message[200];
@@ -234,7 +237,7 @@ static void check_projected_step(sph2d__checker *c)
 /* With variational operators 21 of 60 random scenes get energy from nothing with 0.4, 3 with 0.25. */
 static void check_acoustic_step(sph2d__checker *c)
 {
-    sph2d_method_options m = sph2d__method_resolve(c->scene->method), defaults = c->scene->method;
+    sph2d_method_options m = c->scene->method, defaults = c->given->method;
     const double most = sph2d__method_row_of(&m)->most_cfl;
     if (!(most > 0 && m.cfl > most))
         return;
@@ -249,7 +252,7 @@ static void check_acoustic_step(sph2d__checker *c)
  * with 1.5 by 9 %. */
 static void check_grid_support(sph2d__checker *c)
 {
-    const double ratio = c->scene->method.support_ratio;
+    const double ratio = c->given->method.support_ratio;
     if (c->scene->method.name != SPH2D_METHOD_HYBRID || !(ratio > 0) || (ratio >= 2 && ratio <= 2.6))
         return;
     sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, "method.support_ratio",
@@ -282,7 +285,7 @@ static void check_grid_size(sph2d__checker *c)
 
 static void check_support(sph2d__checker *c)
 {
-    sph2d_method_options m = sph2d__method_resolve(c->scene->method), defaults = c->scene->method;
+    sph2d_method_options m = c->scene->method, defaults = c->given->method;
     bool in_range = m.support_ratio >= 1.2 && m.support_ratio <= 6;
     if (!sph2d__method_row_of(&m)->convergence_hint || !in_range ||
         !(self_contribution(m.kernel, m.support_ratio) > MAX_SELF))
@@ -337,34 +340,31 @@ static bool drives_only(const sph2d_scene *scene)
 /** Warns of a sound speed that is too low for the depth and speed of the liquid. */
 static void check_sound_speed(sph2d__checker *c)
 {
-    sph2d_method_options left_out = c->scene->method;
-    if (c->errors > 0 ||
-        !(left_out.sound_speed > 0 || left_out.stiffness > 0)) /* what is derived needs a valid scene */
+    const sph2d_method_options *m = &c->scene->method;
+    if (c->errors > 0 || !(m->sound_speed > 0 || m->stiffness > 0)) /* what is derived needs a valid scene */
         return;
-    sph2d__derived derived = sph2d__scene_derive(c->scene);
+    const sph2d__derived derived = c->world->derived;
     double head =
         derived.head + derived.capillary_head - (drives_only(c->scene) ? derived.gravity * derived.height : 0);
     double compression = head / (derived.sound_speed * derived.sound_speed);
     if (!(compression > MAX_HEAD_COMPRESSION))
         return;
-    sph2d_scene scene = *c->scene;
-    scene.method.sound_speed = scene.method.stiffness = 0;
-    const char *key = left_out.sound_speed > 0 ? "method.sound_speed" : "method.stiffness";
+    const char *key = m->sound_speed > 0 ? "method.sound_speed" : "method.stiffness";
     sph2d_diagnostic *d = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE, key,
                                            "this liquid can compress itself by %.0f %%, at a sound speed of %.3g m/s",
                                            100 * compression, derived.sound_speed);
     sph2d_diagnostic_hint(d, "leave it out: c0 is then %.3g m/s; methods constraint and pcisph keep to max_compression",
-                          sph2d__scene_derive(&scene).sound_speed);
+                          derived.natural_speed);
 }
 
 /** Warns of surface tension that compresses drops and films beyond max_compression, for which the sound speed is not
  *  chosen: a drop of 22 particles across was compressed by 1.8 %, one of 11 by 2.7 %. */
 static void check_capillarity(sph2d__checker *c)
 {
-    sph2d_method_options m = sph2d__method_resolve(c->scene->method);
+    const sph2d_method_options m = c->scene->method;
     if (c->errors > 0 || m.sound_speed > 0 || m.stiffness > 0 || !sph2d__method_row_of(&m)->has_sound)
         return;
-    sph2d__derived derived = sph2d__scene_derive(c->scene);
+    const sph2d__derived derived = c->world->derived;
     double compression = derived.capillary_head / (derived.sound_speed * derived.sound_speed);
     if (!(compression > m.max_compression))
         return;
@@ -382,7 +382,7 @@ static void check_capillarity(sph2d__checker *c)
 static void check_endless_fall(sph2d__checker *c)
 {
     const sph2d_scene *s = c->scene;
-    sph2d_method_options m = sph2d__method_resolve(s->method);
+    const sph2d_method_options m = s->method;
     if (c->errors > 0 || m.sound_speed > 0 || m.stiffness > 0 || !sph2d__method_row_of(&m)->has_sound)
         return;
     const double width = s->domain.max.x - s->domain.min.x, height = s->domain.max.y - s->domain.min.y;
@@ -390,7 +390,7 @@ static void check_endless_fall(sph2d__checker *c)
                  gy = sph2d__period_y(s) > 0 ? fabs(s->gravity.y) : 0, g = hypot(gx, gy);
     const double across = gx > gy ? height : width, nu = s->fluid.dynamic_viscosity / s->fluid.density;
     const double speed = fmin(g * s->run.until, nu > 0 ? g * across * across / (8 * nu) : INFINITY);
-    const sph2d__derived d = sph2d__scene_derive(s);
+    const sph2d__derived d = c->world->derived;
     const double made_for = sqrt(2 * (d.head + d.capillary_head));
     if (!(speed > made_for))
         return;
@@ -419,22 +419,24 @@ static void check_form(sph2d__checker *c, const char *path, sph2d_wall_form form
 
 static void check_walls(sph2d__checker *c)
 {
-    check_form(c, "walls", c->scene->walls);
-    for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
-        char path[SPH2D__PATH_SIZE];
-        check_form(c, sph2d__check_wall_path(c, path, i, ".form"), c->scene->obstacles[i].form);
-    }
+    char path[SPH2D__PATH_SIZE];
+    check_form(c, "walls", c->given->walls);
+    for (size_t i = 0; i < c->given->obstacle_count; ++i)
+        check_form(c, sph2d__check_path(path, "obstacles", i, ".form"), c->given->obstacles[i].form);
+    for (size_t i = 0; i < c->given->body_count; ++i)
+        check_form(c, sph2d__check_path(path, "bodies", i, ".form"), c->given->bodies[i].form);
 }
 
 /** Whether liquid of blocks leaves room for a surface. Where layers lie beside an open line is not known here, nor what
  *  particles or a snapshot will fill. */
-static bool has_voids(const sph2d_scene *scene)
+static bool has_voids(const sph2d__world *world)
 {
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (sph2d__shape_is_open(&scene->obstacles[i].shape))
+    const sph2d_scene *scene = &world->scene;
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < world->wall_count; ++i)
+        if (sph2d__shape_is_open(&world->walls[i].shape))
             return false;
     bool particles = scene->particles.file || scene->particles.count > 0;
-    return scene->block_count > 0 && !particles && !sph2d__liquid_fills(scene);
+    return scene->block_count > 0 && !particles && !sph2d__liquid_fills(world);
 }
 
 /** Fitted operators have no free surface: liquid must fill the domain, and walls must be no-slip. */
@@ -445,8 +447,8 @@ static void check_filled_domain(sph2d__checker *c)
                                  scene->boundary.top};
     static const char *const paths[4] = {"boundary.left", "boundary.right", "boundary.bottom", "boundary.top"};
     bool walled = false; /* by walls without a slip of their own */
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        walled |= scene->obstacles[i].slip == SPH2D_WALL_SLIP_DEFAULT;
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count; ++i)
+        walled |= own_slip(scene, &c->world->walls[i]) == SPH2D_WALL_SLIP_DEFAULT;
     const sph2d_side_slips *s = &scene->side_slip;
     const sph2d_wall_slip own[4] = {s->left, s->right, s->bottom, s->top};
     for (int k = 0; k < 4; ++k) {
@@ -466,7 +468,7 @@ static void check_filled_domain(sph2d__checker *c)
                         "use a velocity, a flow rate or a pressure, or `operators: variational`");
     }
     if (c->errors == 0 && !sph2d_method_has(sph2d_method_of(&scene->method), SPH2D_FEATURE_FREE_SURFACE) &&
-        has_voids(scene))
+        has_voids(c->world))
         sph2d_diagnostic_hint(sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "blocks",
                                                  "leave room for a free surface, which fitted operators do not have"),
                               "make them fill the domain, or use `operators: variational`");

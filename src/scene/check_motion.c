@@ -6,14 +6,12 @@
 #include <stdio.h>
 
 #include "base/memory.h"
-#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/frame.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
-#include "scene/resolve.h"
 #include "scene/shape.h"
 #include "scene/start.h"
 
@@ -25,7 +23,7 @@ enum { MAX_POINTS = 5000, MAX_SWINGS = 100 };
 
 /* ---- keys -------------------------------------------------------------------------------------------------------- */
 
-/* In place of the index of an obstacle. */
+/* In place of the number of a wall. */
 static const size_t TANK = SIZE_MAX;
 
 static void fault(checker *c, size_t i, sph2d_code code, const char *key, const char *message, const char *hint)
@@ -33,17 +31,17 @@ static void fault(checker *c, size_t i, sph2d_code code, const char *key, const 
     char path[PATH_SIZE], full[64];
     snprintf(full, sizeof full, ".motion%s%s", key[0] ? "." : "", key);
     sph2d_diagnostic *d =
-        sph2d__check_fault(c, code, i == TANK ? full + 1 : sph2d__check_path(path, "obstacles", i, full), message);
+        sph2d__check_fault(c, code, i == TANK ? full + 1 : sph2d__check_wall_path(c, path, i, full), message);
     if (hint)
         sph2d_diagnostic_hint(d, "%s", hint);
 }
 
 static void check_keys(checker *c, size_t i)
 {
-    const sph2d_motion *m = i == TANK ? &c->scene->motion : &c->scene->obstacles[i].motion;
+    const sph2d_motion *m = i == TANK ? &c->scene->motion : &c->world->walls[i].motion;
     char path[PATH_SIZE];
     sph2d__check_times(c, m->path.count > 0 ? &m->path.items[0].t : NULL, m->path.count, 4,
-                       i == TANK ? "motion.path" : sph2d__check_path(path, "obstacles", i, ".motion.path"));
+                       i == TANK ? "motion.path" : sph2d__check_wall_path(c, path, i, ".motion.path"));
     if (m->file && m->path.count > 0)
         fault(c, i, SPH2D_CODE_CONFLICT, "file", "gives the path, which is given, too", "leave out one of the two");
     else if (m->file)
@@ -66,7 +64,7 @@ static bool is_still(sph2d_swing s)
 /** Warns of an oscillation without a frequency. A study may set one to 0 to compare with, so it is no error. */
 static void check_swings(checker *c, size_t i)
 {
-    const sph2d_motion *m = i == TANK ? &c->scene->motion : &c->scene->obstacles[i].motion;
+    const sph2d_motion *m = i == TANK ? &c->scene->motion : &c->world->walls[i].motion;
     char path[PATH_SIZE], key[64];
     bool still = is_still((sph2d_swing){m->amplitude, m->angle, m->frequency, m->phase});
     snprintf(key, sizeof key, ".motion");
@@ -77,7 +75,7 @@ static void check_swings(checker *c, size_t i)
     if (!still)
         return;
     sph2d_diagnostic *w = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_MISSING_KEY,
-                                           i == TANK ? key + 1 : sph2d__check_path(path, "obstacles", i, key),
+                                           i == TANK ? key + 1 : sph2d__check_wall_path(c, path, i, key),
                                            "has an amplitude or angle but no frequency: it moves nothing");
     sph2d_diagnostic_hint(w, "give `frequency`, in 1/s; a `path` goes somewhere once");
 }
@@ -92,7 +90,7 @@ typedef struct velocity_jump {
 /** What jumps: an obstacle, or without one the tank. */
 typedef struct jumper {
     const sph2d_scene *scene;
-    const sph2d_obstacle *obstacle;
+    const sph2d__wall *wall;
     const sph2d__course *course;
     double radius; /**< of the tank, about which it turns [m] */
 } jumper;
@@ -104,7 +102,7 @@ static bool is_wet(const jumper *j, const sph2d__segment *face, int side)
     enum { SAMPLES = 16 };
     const sph2d_scene *s = j->scene;
     const double x = face->b.x - face->a.x, y = face->b.y - face->a.y, length = hypot(x, y);
-    const bool bends = j->obstacle->shape.kind == SPH2D_SHAPE_CIRCLE || j->obstacle->shape.kind == SPH2D_SHAPE_ARC;
+    const bool bends = j->wall->shape.kind == SPH2D_SHAPE_CIRCLE || j->wall->shape.kind == SPH2D_SHAPE_ARC;
     const double away = (bends ? fmax(s->spacing, length / 8) : s->spacing) * side; /* also from the arc of a chord */
     const bool anywhere = s->particles.file || s->particles.count > 0 || s->source_count > 0 || s->opening_count > 0 ||
                           sph2d__starts_from_snapshot(s);
@@ -112,7 +110,7 @@ static bool is_wet(const jumper *j, const sph2d__segment *face, int side)
     for (int k = 0; k < SAMPLES && !wet; ++k) {
         const double along = (k + 0.5) / SAMPLES;
         const sph2d_vec2 p = {face->a.x + along * x - away * y / length, face->a.y + along * y + away * x / length};
-        wet = (anywhere || sph2d__in_block(s, p)) && !sph2d__obstacle_fills(s, j->obstacle, p);
+        wet = (anywhere || sph2d__in_block(s, p)) && !sph2d__wall_fills(s, j->wall, p);
     }
     return wet;
 }
@@ -121,7 +119,7 @@ static bool is_wet(const jumper *j, const sph2d__segment *face, int side)
  *  goes away, pushes nothing. */
 static double speed_across(const jumper *j, sph2d_vec2 change, double turn)
 {
-    const sph2d_shape *outline = &j->obstacle->shape;
+    const sph2d_shape *outline = &j->wall->shape;
     const double size = fmax(j->scene->spacing, sph2d__shape_distance(outline, sph2d_shape_centroid(outline)) / 32);
     const size_t faces = sph2d__shape_pieces(outline, size);
     double largest = 0;
@@ -149,8 +147,8 @@ static void note_jump(velocity_jump *largest, const jumper *j, const sph2d__pose
 {
     const double x = after->velocity.x - before->velocity.x, y = after->velocity.y - before->velocity.y,
                  turn = after->omega - before->omega, c = cos(after->angle), s = sin(after->angle);
-    const double speed = j->obstacle ? speed_across(j, (sph2d_vec2){c * x + s * y, c * y - s * x}, turn)
-                                     : hypot(x, y) + fabs(turn) * j->radius;
+    const double speed = j->wall ? speed_across(j, (sph2d_vec2){c * x + s * y, c * y - s * x}, turn)
+                                 : hypot(x, y) + fabs(turn) * j->radius;
     if (speed > largest->speed)
         *largest = (velocity_jump){speed, time};
 }
@@ -187,10 +185,10 @@ static const double BLOW = 0.1;
 static void warn_of_jump(checker *c, size_t i, const velocity_jump *hit, const char *costs, double time)
 {
     char path[PATH_SIZE];
-    sph2d_diagnostic *w = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
-        "its velocity jumps by %.2g m/s at t = %g s, %s", hit->speed, hit->time, costs);
-    const sph2d_motion *m = &c->scene->obstacles[i].motion;
+    sph2d_diagnostic *w =
+        sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, i, ".motion"),
+                         "its velocity jumps by %.2g m/s at t = %g s, %s", hit->speed, hit->time, costs);
+    const sph2d_motion *m = &c->world->walls[i].motion;
     bool end =
         m->path.count > 0 && (hit->time == m->path.items[0].t || hit->time == m->path.items[m->path.count - 1].t);
     if (end && m->between == SPH2D_BETWEEN_CUBIC)
@@ -212,13 +210,13 @@ static void warn_of_jump(checker *c, size_t i, const velocity_jump *hit, const c
  *  are 17; over 10 spacings/sqrt(2 head) of a constant acceleration it lost 1.4. */
 static void check_velocity_jump(checker *c, size_t i, const sph2d__course *course)
 {
-    const jumper wall = {c->scene, &c->scene->obstacles[i], course, 0};
+    const jumper wall = {c->scene, &c->world->walls[i], course, 0};
     velocity_jump hit = largest_jump(&wall, INFINITY), first = jump_at_start(&wall);
     if (first.speed >= hit.speed)
         hit = first;
-    sph2d_method_options m = sph2d__method_resolve(c->scene->method);
-    sph2d__derived d = sph2d__scene_derive(c->scene);
-    double c0 = d.sound_speed, fall = sqrt(2 * d.head), dx = c->scene->spacing;
+    const sph2d_method_options m = c->scene->method;
+    const sph2d__derived *d = &c->world->derived;
+    double c0 = d->sound_speed, fall = sqrt(2 * d->head), dx = c->scene->spacing;
     char costs[160];
     if (sph2d__method_row_of(&m)->has_sound && hit.speed > m.max_compression * c0) {
         snprintf(costs, sizeof costs, "which compresses the liquid in front by %.2g %%, to %.2g Pa",
@@ -278,12 +276,12 @@ static void check_excess(checker *c, size_t i, const sph2d__course *course)
     if (!course->bends)
         return;
     char path[PATH_SIZE];
-    excess most = largest_excess(course, sph2d__shape_distance(&c->scene->obstacles[i].shape, course->center));
+    excess most = largest_excess(course, sph2d__shape_distance(&c->world->walls[i].shape, course->center));
     if (!(most.length > c->scene->spacing / 10))
         return;
-    sph2d_diagnostic *w = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".motion"),
-        "its cubic path goes %.2g %s at t = %.3g s", most.amount, most.what, most.time);
+    sph2d_diagnostic *w =
+        sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, i, ".motion"),
+                         "its cubic path goes %.2g %s at t = %.3g s", most.amount, most.what, most.time);
     sph2d_diagnostic_hint(w, "begin and end a rest by three equal points close together, or use `between: lines` and "
                              "more points");
 }
@@ -294,7 +292,7 @@ static void check_excess(checker *c, size_t i, const sph2d__course *course)
 static bool starts_in_place(checker *c, size_t i, const sph2d__course *course)
 {
     sph2d__pose start = sph2d__course_at(course, 0);
-    double radius = sph2d__shape_distance(&c->scene->obstacles[i].shape, course->center);
+    double radius = sph2d__shape_distance(&c->world->walls[i].shape, course->center);
     double shift = hypot(start.displacement.x, start.displacement.y) + fabs(start.angle) * radius;
     if (shift <= c->scene->spacing / 10)
         return true;
@@ -307,7 +305,7 @@ static bool starts_in_place(checker *c, size_t i, const sph2d__course *course)
 
 static void follow(checker *c, size_t i, sph2d__memory *memory, unsigned char *hits)
 {
-    const sph2d_obstacle *o = &c->scene->obstacles[i];
+    const sph2d__wall *o = &c->world->walls[i];
     size_t count = sph2d__motion_bends(&o->motion);
     void *bends = count ? sph2d__alloc(memory, count, sizeof(sph2d_pose_point)) : NULL;
     sph2d__course course = sph2d__course_of(&o->motion, &o->shape, bends);
@@ -384,7 +382,7 @@ void sph2d__check_motion_keys(checker *c)
     check_keys(c, TANK);
     check_swings(c, TANK);
     check_gravity(c);
-    for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->first_body; ++i) {
         check_keys(c, i);
         check_swings(c, i);
     }
@@ -392,13 +390,13 @@ void sph2d__check_motion_keys(checker *c)
 
 void sph2d__check_motions(checker *c)
 {
-    size_t count = c->scene->obstacle_count;
+    size_t count = c->world->wall_count;
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
-    void *hits = sph2d__alloc(&memory, count + 1, 1);
+    void *hits = sph2d__alloc(&memory, count, 1);
     if (sph2d__motion_moves(&c->scene->motion))
         check_tank(c, &memory);
-    for (size_t i = 0; hits && i < count; ++i)
-        if (sph2d__motion_moves(&c->scene->obstacles[i].motion))
+    for (size_t i = SPH2D__WALL_OBSTACLE; hits && i < count; ++i)
+        if (sph2d__motion_moves(&c->world->walls[i].motion))
             follow(c, i, &memory, hits);
-    sph2d__release(&memory, &hits, count + 1, 1);
+    sph2d__release(&memory, &hits, count, 1);
 }

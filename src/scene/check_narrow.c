@@ -10,13 +10,11 @@
 #include <math.h>
 
 #include "base/memory.h"
-#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/liquid_side.h"
 #include "scene/method_table.h"
 #include "scene/shape.h"
 #include "scene/solids.h"
-#include "scene/wall_names.h"
 
 /* Narrower channels are told, unless no particle gets into them; and steps across one [spacings]. */
 static const double NARROW = 2.9, CLOSED = 0.5, STEP = 0.125;
@@ -32,6 +30,7 @@ typedef struct place {
 /** A search: the narrowest channel that it has found, and the narrowest place of the one that it is at, unless that has an
  *  end, as between a slope and a floor. */
 typedef struct search {
+    const sph2d__world *world;
     const sph2d_scene *scene;
     sph2d__solids solids;
     place found, here;
@@ -43,16 +42,16 @@ static bool is_solid(const search *s, sph2d_vec2 p)
 {
     const sph2d_scene *scene = s->scene;
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (sph2d__side_of(scene, side) == SPH2D_SIDE_WALL && sph2d__side_distance(scene, side, p) < 0)
+        if (sph2d__side_of(scene, side) == SPH2D_SIDE_WALL && sph2d__side_distance(&scene->domain, side, p) < 0)
             return true;
     const sph2d__solid_list near = sph2d__solids_near(&s->solids, p);
     for (size_t n = 0; n < near.count; ++n) {
-        const sph2d_obstacle *o = &scene->obstacles[near.obstacle[n]];
-        if (sph2d__obstacle_moves(o))
+        const sph2d__wall *o = &s->world->walls[near.wall[n]];
+        if (sph2d__wall_moves(o))
             continue;
         if (sph2d__shape_is_open(&o->shape)
                 ? sph2d__shape_nearest(&o->shape, scene->spacing, p) < 0.51 * STEP * scene->spacing
-                : sph2d__obstacle_fills(scene, o, p))
+                : sph2d__wall_fills(scene, o, p))
             return true;
     }
     return false;
@@ -96,7 +95,7 @@ static void look_along(search *s, const sph2d__segment *piece, sph2d_vec2 n)
     }
 }
 
-static void look_around(search *s, const sph2d_obstacle *o)
+static void look_around(search *s, const sph2d__wall *o)
 {
     const double spacing = s->scene->spacing;
     for (int side = -1; side <= 1; side += 2) {
@@ -114,13 +113,17 @@ void sph2d__check_narrow(sph2d__checker *c)
     const sph2d_scene *scene = c->scene;
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){0});
     sph2d__arena arena = {0};
-    search s = {.scene = scene, .found = {.width = INFINITY}, .here = {.width = INFINITY}, .before = INFINITY};
+    search s = {.world = c->world,
+                .scene = scene,
+                .found = {.width = INFINITY},
+                .here = {.width = INFINITY},
+                .before = INFINITY};
     if (scene->method.name != SPH2D_METHOD_HYBRID)
         return;
-    if (sph2d__solids_build(&s.solids, scene, &arena, &memory))
-        for (size_t i = 0; i < scene->obstacle_count; ++i)
-            if (!sph2d__obstacle_moves(&scene->obstacles[i]))
-                look_around(&s, &scene->obstacles[i]);
+    if (sph2d__solids_build(&s.solids, c->world, &arena, &memory))
+        for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count; ++i)
+            if (!sph2d__wall_moves(&c->world->walls[i]))
+                look_around(&s, &c->world->walls[i]);
     sph2d__arena_free(&arena, &memory);
     if (!(s.found.width < INFINITY))
         return;

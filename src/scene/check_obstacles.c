@@ -1,17 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check_obstacles.c
- *  Checks of obstacles: their outlines, their motions, and the side of the liquid. */
+ *  Checks of obstacles and bodies as the scene draws them: their outlines, and the side of the liquid. */
 #include <math.h>
 #include <stdio.h>
 
 #include "base/pi.h"
 #include "scene/checker.h"
-#include "scene/derive.h"
 #include "scene/liquid_side.h"
-#include "scene/method_table.h"
-#include "scene/resolve.h"
 #include "scene/shape.h"
-#include "scene/wall_names.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
@@ -19,18 +15,17 @@ typedef sph2d__checker checker;
 /** Checks the name of an obstacle. */
 static void check_wall_name(checker *c, size_t i)
 {
-    const sph2d_scene *scene = c->scene;
-    const char *name = scene->obstacles[i].name;
+    const char *name = c->world->walls[i].name;
     char path[PATH_SIZE];
     if (!name)
         return;
     sph2d__check_wall_path(c, path, i, ".name");
-    int wall = sph2d__wall_named(scene, name);
+    int wall = sph2d__wall_named(c->world, name);
     if (!sph2d__check_name(name))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "must be 1 to 64 letters, digits, _ or -");
     else if (wall < SPH2D__WALL_OBSTACLE)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is the name of a side of the domain");
-    else if (wall != SPH2D__WALL_OBSTACLE + (int)i)
+    else if (wall != (int)i)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "another obstacle or body has this name");
 }
 
@@ -69,14 +64,14 @@ static void check_arc(checker *c, const sph2d_arc *arc, size_t i)
     double turn = arc->to - arc->from;
     if (!(turn > 0 && turn < 2 * SPH2D__PI)) {
         sph2d_diagnostic *d = sph2d__check_fault(
-            c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "obstacles", i, ".arc.to"),
+            c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_wall_path(c, path, i, ".arc.to"),
             turn > 0 ? "is a full turn or more above `from`" : "must be above `from`: arcs go anticlockwise");
         sph2d_diagnostic_hint(d, turn > 0 ? "use a circle; with `liquid: inside` it is hollow"
                                           : "a full turn more, 6.28319, is the same direction");
         return;
     }
     sph2d_box b = sph2d__arc_bounds(arc);
-    sph2d__check_path(path, "obstacles", i, ".arc");
+    sph2d__check_wall_path(c, path, i, ".arc");
     if (!sph2d__check_in_domain(c->scene, b.min))
         sph2d__check_outside(c, path, b.min);
     else if (!sph2d__check_in_domain(c->scene, b.max))
@@ -85,11 +80,11 @@ static void check_arc(checker *c, const sph2d_arc *arc, size_t i)
 
 static void check_obstacle(checker *c, size_t i)
 {
-    const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
-    const sph2d_shape *outline = &obstacle->shape;
+    const sph2d__wall *wall = &c->world->walls[i];
+    const sph2d_shape *outline = &wall->shape;
     char path[PATH_SIZE];
     check_wall_name(c, i);
-    if (obstacle->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
+    if (wall->form == SPH2D_WALL_SPRING && c->scene->method.name == SPH2D_METHOD_MULLER) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, sph2d__check_wall_path(c, path, i, ".form"),
                                                  "only sides of the domain can be springs");
         sph2d_diagnostic_hint(d, "use heavy or reflect");
@@ -130,7 +125,7 @@ static void check_obstacle(checker *c, size_t i)
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""), "has no outline");
         sph2d_diagnostic_hint(d, "give one of %s",
-                              obstacle->body ? "circle, box, polygon" : "line, polyline, circle, box, polygon, arc");
+                              wall->body ? "circle, box, polygon" : "line, polyline, circle, box, polygon, arc");
         break;
     }
     }
@@ -157,7 +152,7 @@ static void check_layers_inside(checker *c, const sph2d_arc *arc, size_t i)
     if (arc->radius > thickness)
         return;
     sph2d_diagnostic *d = sph2d__check_fault(
-        c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", i, ".arc.radius"),
+        c, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, i, ".arc.radius"),
         "is not larger than the thickness of the layers, which are inside the arc as the liquid is outside");
     sph2d_diagnostic_hint(d, "make it larger than %.3g m, or draw the solid as a `polygon`", thickness);
 }
@@ -165,27 +160,26 @@ static void check_layers_inside(checker *c, const sph2d_arc *arc, size_t i)
 /** Checks that the wet side of a line is given or can be found, and that a line wet on both sides can be a solid. */
 static void check_side(checker *c, size_t i)
 {
-    const sph2d_obstacle *obstacle = &c->scene->obstacles[i];
+    const sph2d__wall *wall = &c->world->walls[i];
     char path[PATH_SIZE];
     sph2d_diagnostic *d;
-    if (obstacle->liquid == SPH2D_LIQUID_INSIDE && sph2d__shape_is_open(&obstacle->shape))
+    if (wall->liquid == SPH2D_LIQUID_INSIDE && sph2d__shape_is_open(&wall->shape))
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, i, ".liquid"),
                            "a line has no inside: use left, right or both");
-    if (!sph2d__obstacle_has_side(c->scene, obstacle))
+    if (!sph2d__wall_has_side(wall))
         return;
-    sph2d_liquid_side side = sph2d__liquid_side(c->scene, obstacle);
-    sph2d_shape_kind kind = obstacle->shape.kind;
-    if (kind == SPH2D_SHAPE_ARC && side == SPH2D_LIQUID_RIGHT)
-        check_layers_inside(c, &obstacle->shape.arc, i);
+    sph2d_liquid_side side = sph2d__liquid_side(c->scene, wall);
+    if (wall->shape.kind == SPH2D_SHAPE_ARC && side == SPH2D_LIQUID_RIGHT)
+        check_layers_inside(c, &wall->shape.arc, i);
     if (side != SPH2D_LIQUID_BOTH)
         return;
-    sph2d__check_wall_path(c, path, i, sph2d__shape_key(kind));
-    if (obstacle->liquid == SPH2D_LIQUID_AUTO) {
+    sph2d__check_wall_path(c, path, i, wall->key);
+    if (wall->liquid == SPH2D_LIQUID_AUTO) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "liquid lies on both sides of it, where the layers of boundary particles must be");
         sph2d_diagnostic_hint(d, "`liquid: both` makes it a solid %.3g m thick; or leave one side free for %.3g m",
                               sph2d__layer_thickness(c->scene), sph2d__layer_thickness(c->scene));
-    } else if (!can_be_solid(c->scene, &obstacle->shape)) {
+    } else if (!can_be_solid(c->scene, &wall->shape)) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "turns too sharply for a solid of the layers' thickness that has liquid on both sides");
         sph2d_diagnostic_hint(d, "draw the solid as a `polygon`, %.3g m thick or thicker",
@@ -199,9 +193,9 @@ static const size_t MAX_ALL_POINTS = 5000;
 static void check_all_points(checker *c)
 {
     size_t points = 0;
-    for (size_t i = 0; i < c->scene->obstacle_count; ++i) {
-        const sph2d_shape *o = &c->scene->obstacles[i].shape;
-        bool solid_arc = o->kind == SPH2D_SHAPE_ARC && c->scene->obstacles[i].liquid == SPH2D_LIQUID_BOTH;
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count; ++i) {
+        const sph2d_shape *o = &c->world->walls[i].shape;
+        bool solid_arc = o->kind == SPH2D_SHAPE_ARC && c->world->walls[i].liquid == SPH2D_LIQUID_BOTH;
         points += solid_arc                         ? sph2d_shape_corners(o, c->scene->spacing, NULL)
                   : o->kind == SPH2D_SHAPE_POLYLINE ? o->points.count
                   : o->kind == SPH2D_SHAPE_POLYGON  ? o->points.count
@@ -219,16 +213,10 @@ static void check_all_points(checker *c)
 void sph2d__check_obstacles(checker *c)
 {
     check_all_points(c);
-    for (size_t i = 0; i < c->scene->obstacle_count; ++i)
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count; ++i)
         check_obstacle(c, i);
     sph2d__check_motion_keys(c);
-    sph2d__check_bodies(c);
-    for (size_t i = 0; c->errors == 0 && i < c->scene->obstacle_count; ++i)
+    sph2d__check_body_keys(c);
+    for (size_t i = SPH2D__WALL_OBSTACLE; c->errors == 0 && i < c->world->wall_count; ++i)
         check_side(c, i);
-    if (c->errors == 0)
-        sph2d__check_motions(c);
-    if (c->errors == 0) {
-        sph2d__check_thin(c);
-        sph2d__check_narrow(c);
-    }
 }

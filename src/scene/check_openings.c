@@ -4,13 +4,11 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/liquid_side.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"
-#include "scene/wall_names.h"
 
 typedef sph2d__checker checker;
 
@@ -184,16 +182,16 @@ static void check_before(checker *c, size_t i)
     const sph2d_scene *scene = c->scene;
     sph2d__mouth m = sph2d__opening_mouth(scene, &scene->openings[i]);
     double dx = scene->spacing, steps = ceil(m.width / dx);
-    for (size_t k = 0; k < scene->obstacle_count; ++k)
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < c->world->wall_count; ++k)
         for (double step = 0; step < steps; ++step) {
             double t = (step + 0.5) / steps * m.width;
             sph2d_vec2 p = {m.start.x + t * m.along.x + dx / 2 * m.inward.x,
                             m.start.y + t * m.along.y + dx / 2 * m.inward.y};
-            if (!sph2d__obstacle_fills(scene, &scene->obstacles[k], p))
+            if (!sph2d__wall_fills(scene, &c->world->walls[k], p))
                 continue;
             char path[SPH2D__PATH_SIZE], other[64], message[160];
             snprintf(message, sizeof message, "%s lies before it, at (%g, %g)",
-                     sph2d__obstacle_path(other, sizeof other, scene, k, ""), p.x, p.y);
+                     sph2d__wall_path(other, sizeof other, &c->world->walls[k], ""), p.x, p.y);
             sph2d_diagnostic *d =
                 sph2d__check_fault(c, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "openings", i, ""), message);
             sph2d_diagnostic_hint(d, "let `from` and `to` leave out what is solid, or move the obstacle away");
@@ -276,7 +274,7 @@ void sph2d__check_openings(checker *c)
         sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, "motion", "a tank with openings cannot move");
     if (c->errors > before || scene->opening_count == 0)
         return;
-    bool filled = sph2d__liquid_fills(scene);
+    bool filled = sph2d__liquid_fills(c->world);
     for (size_t i = 0; i < scene->opening_count; ++i) {
         for (size_t k = i + 1; k < scene->opening_count; ++k)
             check_pair(c, i, k);

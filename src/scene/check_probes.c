@@ -7,12 +7,10 @@
 #include <string.h>
 
 #include "base/suggest.h"
-#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"
-#include "scene/wall_names.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
@@ -63,9 +61,9 @@ static void refuse_name(checker *c, const char *path, const char *name)
     enum { MOST = 20 };
     const char *names[SPH2D__WALL_OBSTACLE + MOST + 1] = {NULL};
     size_t count = 0;
-    for (size_t k = 0; k < c->scene->obstacle_count && count < MOST; ++k)
-        if (c->scene->obstacles[k].name)
-            names[count++] = c->scene->obstacles[k].name;
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < c->world->wall_count && count < MOST; ++k)
+        if (c->world->walls[k].name)
+            names[count++] = c->world->walls[k].name;
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
         names[count++] = sph2d__side_word(side);
     char message[160];
@@ -84,10 +82,10 @@ static void check_body(checker *c, const sph2d_probe *probe, size_t i)
                               "give the body a `name`");
         return;
     }
-    int wall = sph2d__wall_named(c->scene, probe->on);
+    int wall = sph2d__wall_named(c->world, probe->on);
     if (wall == SPH2D__WALL_ALL) {
         refuse_name(c, path, probe->on);
-    } else if (wall < SPH2D__WALL_OBSTACLE || !c->scene->obstacles[wall - SPH2D__WALL_OBSTACLE].body) {
+    } else if (!c->world->walls[wall].body) {
         char message[160];
         snprintf(message, sizeof message, "'%.64s' is %s, not a body", probe->on,
                  wall < SPH2D__WALL_OBSTACLE ? "a side of the domain" : "an obstacle");
@@ -142,7 +140,7 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
     }
     if (!probe->on)
         return;
-    int wall = sph2d__wall_named(c->scene, probe->on);
+    int wall = sph2d__wall_named(c->world, probe->on);
     if (wall == SPH2D__WALL_ALL)
         refuse_name(c, path, probe->on);
     else if (wall < SPH2D__WALL_OBSTACLE && sph2d__side_of(c->scene, wall) != SPH2D_SIDE_WALL)

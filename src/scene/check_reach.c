@@ -3,7 +3,6 @@
  *  Warns of openings and drains that no liquid can get to: walls at rest separate them from all of it. */
 #include <math.h>
 
-#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/flood.h"
 #include "scene/liquid_side.h"
@@ -44,7 +43,7 @@ static void flood_all(sph2d__flood *flood)
         sph2d__flood_shape(flood, &scene->blocks[i].shape);
     for (size_t i = 0; i < scene->source_count; ++i)
         sph2d__flood_position(flood, scene->sources[i].at);
-    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
+    for (size_t i = 0; i < scene->particles.count; ++i)
         sph2d__flood_position(flood, (sph2d_vec2){scene->particles.items[i].x, scene->particles.items[i].y});
     for (size_t i = 0; i < scene->opening_count; ++i) {
         sph2d__mouth m = sph2d__opening_mouth(scene, &scene->openings[i]);
@@ -73,9 +72,11 @@ static bool is_wet(const sph2d__flood *flood, sph2d_vec2 p, int *looks)
     if (*looks == 0)
         return true;
     --*looks;
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (!sph2d__obstacle_moves(&scene->obstacles[i]) && sph2d__obstacle_fills(scene, &scene->obstacles[i], p))
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < flood->world->wall_count; ++i) {
+        const sph2d__wall *wall = &flood->world->walls[i];
+        if (!sph2d__wall_moves(wall) && sph2d__wall_fills(scene, wall, p))
             return false;
+    }
     return true;
 }
 
@@ -110,10 +111,10 @@ void sph2d__check_reach(sph2d__checker *c)
     const sph2d_scene *scene = c->scene;
     sph2d__flood flood;
     int looks = MAX_LOOKS;
-    bool known = !sph2d__starts_from_snapshot(scene) && !scene->particles.file;
+    bool known = !sph2d__liquid_is_from_file(scene);
     double visits = sph2d__flood_cells(scene) * (1 + (double)scene->block_count);
-    if (!known || scene->opening_count + scene->drain_count == 0 || scene->obstacle_count == 0 || visits > MAX_VISITS ||
-        !sph2d__flood_make(&flood, scene, (sph2d_vec2){0, 0}))
+    if (!known || scene->opening_count + scene->drain_count == 0 || c->world->wall_count == SPH2D__WALL_OBSTACLE ||
+        visits > MAX_VISITS || !sph2d__flood_make(&flood, c->world, (sph2d_vec2){0, 0}))
         return;
     flood_all(&flood);
     for (size_t i = 0; i < scene->opening_count; ++i)

@@ -20,7 +20,6 @@
 
 #include "scene/checker.h"
 #include "scene/liquid_side.h"
-#include "scene/resolve.h"
 #include "scene/shape.h"
 
 /* Maximum number of samples along a wall segment; and steps per spacing across it. */
@@ -38,11 +37,10 @@ static bool hides(const sph2d_scene *scene)
 }
 
 /** Minimum distance between liquids on the two sides of an obstacle [m]. */
-static double required_thickness(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+static double required_thickness(const sph2d_scene *scene, const sph2d__wall *wall)
 {
-    return sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED
-               ? sph2d__layer_thickness(scene)
-               : sph2d__method_resolve(scene->method).support_ratio * scene->spacing;
+    return wall->form == SPH2D_WALL_GENERALISED ? sph2d__layer_thickness(scene)
+                                                : scene->method.support_ratio * scene->spacing;
 }
 
 static sph2d_vec2 displaced(sph2d_vec2 p, sph2d_vec2 n, double d)
@@ -52,11 +50,12 @@ static sph2d_vec2 displaced(sph2d_vec2 p, sph2d_vec2 n, double d)
 
 /** Height of the surface of the liquid within a distance of a position on one side [m]; NaN without liquid. A block
  *  that overlaps the obstacle is taken to continue inside it. */
-static double surface_height(const sph2d_scene *scene, const sph2d_shape *outline, sph2d_vec2 p, sph2d_vec2 side,
+static double surface_height(const sph2d__world *world, const sph2d_shape *outline, sph2d_vec2 p, sph2d_vec2 side,
                              double limit)
 {
-    double g = hypot(scene->gravity.x, scene->gravity.y), dx = scene->spacing, d = dx / STEPS_PER_SPACING;
-    sph2d_vec2 up = {-scene->gravity.x / g, -scene->gravity.y / g};
+    const sph2d_scene *scene = &world->scene;
+    const sph2d_vec2 up = world->gravity.up;
+    double dx = scene->spacing, d = dx / STEPS_PER_SPACING;
     while (d < limit && !sph2d__in_block(scene, displaced(p, side, d)))
         d += dx / 2;
     if (!(d < limit))
@@ -87,9 +86,10 @@ typedef struct thin {
 } thin;
 
 /** Finds the first such position along a segment of the outline. */
-static bool find_thin(const sph2d_scene *scene, const sph2d_shape *outline, sph2d__segment s, double required,
+static bool find_thin(const sph2d__world *world, const sph2d_shape *outline, sph2d__segment s, double required,
                       thin *found)
 {
+    const sph2d_scene *scene = &world->scene;
     double dx = scene->spacing, length = hypot(s.b.x - s.a.x, s.b.y - s.a.y);
     double count = fmin(fmax(floor(length / dx), 1), MAX_SAMPLES);
     sph2d_vec2 in = {-(s.b.y - s.a.y) / length, (s.b.x - s.a.x) / length};
@@ -103,8 +103,8 @@ static bool find_thin(const sph2d_scene *scene, const sph2d_shape *outline, sph2
         double distance = required * (1 - 1e-9) - thickness;
         if (!(distance > 0) || (hides(scene) && thickness >= HIDES * dx))
             continue;
-        double front = surface_height(scene, outline, p, (sph2d_vec2){-in.x, -in.y}, distance);
-        double back = surface_height(scene, outline, displaced(p, in, thickness), in, distance);
+        double front = surface_height(world, outline, p, (sph2d_vec2){-in.x, -in.y}, distance);
+        double back = surface_height(world, outline, displaced(p, in, thickness), in, distance);
         *found = (thin){p, thickness, fabs(front - back)};
         if (found->apart > fmax(thickness, dx)) /* false if one is NaN */
             return true;
@@ -112,16 +112,17 @@ static bool find_thin(const sph2d_scene *scene, const sph2d_shape *outline, sph2
     return false;
 }
 
-/** Finds the first such position of an obstacle. Lines with layers have liquid on one side, or become solids. */
-static bool find_in_obstacle(const sph2d_scene *scene, const sph2d_obstacle *obstacle, thin *found)
+/** Finds the first such position of a wall. Lines with layers have liquid on one side, or become solids. */
+static bool find_in_wall(const sph2d__world *world, const sph2d__wall *wall, thin *found)
 {
-    const sph2d_shape *outline = &obstacle->shape;
-    if (obstacle->body || sph2d__obstacle_has_side(scene, obstacle) || sph2d__obstacle_is_hollow(obstacle))
+    const sph2d_scene *scene = &world->scene;
+    const sph2d_shape *outline = &wall->shape;
+    if (wall->body || sph2d__wall_has_side(wall) || sph2d__wall_is_hollow(wall))
         return false;
-    double required = required_thickness(scene, obstacle);
+    double required = required_thickness(scene, wall);
     size_t pieces = sph2d__shape_pieces(outline, scene->spacing);
     for (size_t k = 0; k < pieces; k += 1 + pieces / MAX_PIECES)
-        if (find_thin(scene, outline, sph2d__shape_piece(outline, scene->spacing, k), required, found))
+        if (find_thin(world, outline, sph2d__shape_piece(outline, scene->spacing, k), required, found))
             return true;
     return false;
 }
@@ -131,24 +132,23 @@ void sph2d__check_thin(sph2d__checker *c)
     const sph2d_scene *scene = c->scene;
     size_t count = 0, first = 0;
     thin place = {0}, found;
-    for (size_t i = 0; i < scene->obstacle_count && (scene->gravity.x != 0 || scene->gravity.y != 0); ++i)
-        if (find_in_obstacle(scene, &scene->obstacles[i], &found) && ++count == 1) {
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count && c->world->gravity.size > 0; ++i)
+        if (find_in_wall(c->world, &c->world->walls[i], &found) && ++count == 1) {
             first = i;
             place = found;
         }
     if (count == 0)
         return;
-    const sph2d_obstacle *obstacle = &scene->obstacles[first];
+    const sph2d__wall *wall = &c->world->walls[first];
     char path[SPH2D__PATH_SIZE], more[60] = "";
     if (count > 1)
         snprintf(more, sizeof more, "; the same holds for %zu more", count - 1);
     sph2d_diagnostic *w = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT,
-        sph2d__check_wall_path(c, path, first, sph2d__shape_key(obstacle->shape.kind)),
+        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, first, wall->key),
         "liquids whose surfaces are %.2g m apart in height press on each other through it, near (%.3g, %.3g), where it "
         "is %.2g m thick%s",
         place.apart, place.at.x, place.at.y, place.thickness, more);
-    double required = hides(scene) ? HIDES * scene->spacing : required_thickness(scene, obstacle);
+    double required = hides(scene) ? HIDES * scene->spacing : required_thickness(scene, wall);
     if (place.thickness > 0)
         sph2d_diagnostic_hint(w, "make it %.3g m thick or thicker, or the spacing %.2g m", required,
                               scene->spacing * place.thickness / required);

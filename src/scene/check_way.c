@@ -5,11 +5,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "scene/bodies.h"
 #include "scene/checker.h"
 #include "scene/overlap.h"
 #include "scene/shape.h"
-#include "scene/wall_names.h"
 
 typedef sph2d__checker checker;
 
@@ -22,6 +20,7 @@ enum { CAN_HIT = 1, AWAY = 2 };
 
 /** An obstacle that moves, and how finely its motion is looked at. */
 typedef struct mover {
+    const sph2d__world *world;
     const sph2d_scene *scene;
     const sph2d_shape *outline;
     const sph2d__course *course;
@@ -38,22 +37,22 @@ typedef struct approach {
 } approach;
 
 /** Whether the mover in a pose overlaps an obstacle at rest. */
-static bool overlaps(const mover *m, const sph2d__pose *pose, const sph2d_obstacle *other)
+static bool overlaps(const mover *m, const sph2d__pose *pose, const sph2d__wall *other)
 {
-    return sph2d__obstacles_overlap(&m->scene->obstacles[m->index], pose, other, m->spacing, m->depth);
+    return sph2d__walls_overlap(&m->world->walls[m->index], pose, other, m->spacing, m->depth);
 }
 
-static double gap_to(const mover *m, const sph2d__pose *pose, const sph2d_obstacle *other)
+static double gap_to(const mover *m, const sph2d__pose *pose, const sph2d__wall *other)
 {
-    return sph2d__obstacles_gap(&m->scene->obstacles[m->index], pose, other, m->scene->spacing);
+    return sph2d__walls_gap(&m->world->walls[m->index], pose, other, m->scene->spacing);
 }
 
 /** Whether another obstacle stands where the motion could hit it: it rests, and is clear of it at the start. */
 static bool can_hit(const mover *m, size_t other)
 {
     sph2d__pose start = {.center = m->course->center, .cosine = 1};
-    const sph2d_obstacle *o = &m->scene->obstacles[other];
-    return other != m->index && !sph2d__obstacle_moves(o) && !overlaps(m, &start, o);
+    const sph2d__wall *o = &m->world->walls[other];
+    return other != m->index && !sph2d__wall_moves(o) && !overlaps(m, &start, o);
 }
 
 /** Chooses what the motion is compared with: pairs of segments at each time. Gaps take finer pieces than overlaps. */
@@ -64,8 +63,8 @@ static double choose(mover *m)
     double pairs = 0;
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
         m->away[side] = sph2d__side_gap(m->scene, m->outline, &start, m->spacing, side) >= dx;
-    for (size_t k = 0; k < m->scene->obstacle_count; ++k) {
-        const sph2d_obstacle *other = &m->scene->obstacles[k];
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < m->world->wall_count; ++k) {
+        const sph2d__wall *other = &m->world->walls[k];
         double here = (double)m->pieces * (double)sph2d__shape_pieces(&other->shape, m->spacing);
         double fine = own * (double)sph2d__shape_pieces(&other->shape, dx);
         m->hits[k] = pairs + here < MAX_PAIRS / 10 && can_hit(m, k) ? CAN_HIT : 0;
@@ -88,13 +87,14 @@ static bool is_clear(checker *c, const mover *m, const sph2d__pose *pose, double
     if (beyond > m->depth)
         snprintf(message, sizeof message, "takes it %.3g m beyond the %s side of the domain at t = %.4g s", beyond,
                  side, time);
-    for (size_t k = 0; k < m->scene->obstacle_count && !message[0]; ++k)
-        if (m->hits[k] && overlaps(m, pose, &m->scene->obstacles[k]))
-            snprintf(message, sizeof message, "takes it through obstacles[%zu] at t = %.4g s", k, time);
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < m->world->wall_count && !message[0]; ++k)
+        if (m->hits[k] && overlaps(m, pose, &m->world->walls[k]))
+            snprintf(message, sizeof message, "takes it through %s at t = %.4g s",
+                     sph2d__wall_path(path, sizeof path, &m->world->walls[k], ""), time);
     if (message[0])
-        sph2d_diagnostic_hint(sph2d__check_fault(c, SPH2D_CODE_OUTSIDE,
-                                                 sph2d__check_path(path, "obstacles", m->index, ".motion"), message),
-                              "let it turn back before, or move what is in its way");
+        sph2d_diagnostic_hint(
+            sph2d__check_fault(c, SPH2D_CODE_OUTSIDE, sph2d__check_wall_path(c, path, m->index, ".motion"), message),
+            "let it turn back before, or move what is in its way");
     return !message[0];
 }
 
@@ -108,11 +108,11 @@ static void note_gaps(const mover *m, const sph2d__pose *pose, double time, appr
             snprintf(least->what, sizeof least->what, "the %s side of the domain", sph2d__side_word(side));
         }
     }
-    for (size_t k = 0; k < m->scene->obstacle_count; ++k) {
-        double gap = m->hits[k] & AWAY ? gap_to(m, pose, &m->scene->obstacles[k]) : INFINITY;
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < m->world->wall_count; ++k) {
+        double gap = m->hits[k] & AWAY ? gap_to(m, pose, &m->world->walls[k]) : INFINITY;
         if (gap < least->gap) {
             *least = (approach){.gap = gap, .time = time};
-            snprintf(least->what, sizeof least->what, "obstacles[%zu]", k);
+            sph2d__wall_path(least->what, sizeof least->what, &m->world->walls[k], "");
         }
     }
 }
@@ -126,7 +126,7 @@ static void warn_of_gap(checker *c, const mover *m, const approach *least)
     if (!(gap < 1 - 1e-6))
         return;
     sph2d_diagnostic *w = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "obstacles", m->index, ".motion"),
+        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, m->index, ".motion"),
         "takes it to %.2g spacings from %s at t = %.4g s: liquid between them has nowhere to go", gap, least->what,
         least->time);
     sph2d_diagnostic_hint(w, "let it stop a spacing before, or keep liquid away from there");
@@ -134,9 +134,10 @@ static void warn_of_gap(checker *c, const mover *m, const approach *least)
 
 void sph2d__check_way(checker *c, size_t index, const sph2d__course *course, unsigned char *hits)
 {
-    const sph2d_shape *outline = &c->scene->obstacles[index].shape;
+    const sph2d_shape *outline = &c->world->walls[index].shape;
     double spacing = c->scene->spacing, end = c->scene->run.until;
-    mover m = {.scene = c->scene,
+    mover m = {.world = c->world,
+               .scene = c->scene,
                .outline = outline,
                .course = course,
                .index = index,

@@ -5,8 +5,6 @@
 #include <math.h>
 
 #include "scene/checker.h"
-#include "scene/derive.h"
-#include "scene/resolve.h"
 #include "scene/shape.h"
 
 static bool is_method(const sph2d_scene *scene, sph2d_method name)
@@ -124,11 +122,13 @@ static bool slides(const sph2d_scene *scene)
     const sph2d_side_slips *s = &scene->side_slip;
     const sph2d_boundary *b = &scene->boundary;
     bool walls = b->left == SPH2D_SIDE_WALL || b->right == SPH2D_SIDE_WALL || b->bottom == SPH2D_SIDE_WALL ||
-                 b->top == SPH2D_SIDE_WALL || scene->obstacle_count > 0;
+                 b->top == SPH2D_SIDE_WALL || scene->obstacle_count + scene->body_count > 0;
     bool own = s->left != SPH2D_WALL_SLIP_DEFAULT || s->right != SPH2D_WALL_SLIP_DEFAULT ||
                s->bottom != SPH2D_WALL_SLIP_DEFAULT || s->top != SPH2D_WALL_SLIP_DEFAULT;
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         own |= scene->obstacles[i].slip != SPH2D_WALL_SLIP_DEFAULT;
+    for (size_t i = 0; i < scene->body_count; ++i)
+        own |= scene->bodies[i].slip != SPH2D_WALL_SLIP_DEFAULT;
     return walls && !own && scene->wall_slip == SPH2D_SLIP_FREE;
 }
 
@@ -139,7 +139,7 @@ static void check_slip(sph2d__checker *c)
     const sph2d_scene *scene = c->scene;
     if (is_method(scene, SPH2D_METHOD_MULLER) || !slides(scene))
         return;
-    double speed = sqrt(2 * sph2d__scene_derive(scene).head);
+    double speed = sqrt(2 * c->world->derived.head);
     double length = fmax(scene->domain.max.x - scene->domain.min.x, scene->domain.max.y - scene->domain.min.y);
     double viscosity = speed > 0 ? viscosity_at(&scene->fluid, speed / length) : 0;
     double layer = viscosity > 0 ? sqrt(viscosity / scene->fluid.density * length / speed) / scene->spacing : 0;

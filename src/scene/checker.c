@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "scene/bodies.h"
 #include "scene/shape.h"
 
 sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
@@ -25,7 +24,7 @@ const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, siz
 
 const char *sph2d__check_wall_path(const sph2d__checker *c, char path[SPH2D__PATH_SIZE], size_t index, const char *rest)
 {
-    return sph2d__obstacle_path(path, SPH2D__PATH_SIZE, c->scene, index, rest);
+    return sph2d__wall_path(path, SPH2D__PATH_SIZE, &c->world->walls[index], rest);
 }
 
 bool sph2d__check_box(sph2d__checker *c, sph2d_box box, const char *path)

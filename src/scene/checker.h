@@ -5,18 +5,17 @@
 #define SPH2D_SCENE_CHECKER_H
 
 #include "scene/motion.h"
-#include "sph2d/scene.h"
+#include "scene/world.h"
 
 typedef struct sph2d__checker {
-    const sph2d_scene *scene;
+    const sph2d_scene *given; /**< as it was given ... */
+    const sph2d__world *world;
+    const sph2d_scene *scene; /**< ... and that of the world */
     sph2d_report *report;
     size_t errors; /**< counted here too, since the report may be NULL */
     bool broken;   /**< a list that cannot be read */
     bool started;  /**< the scene goes on from a state: where bodies start is past */
 } sph2d__checker;
-
-/** As sph2d_scene_check, of a scene that is not NULL; `started`: one that goes on from a state. */
-sph2d_status sph2d__scene_check(const sph2d_scene *scene, bool started, sph2d_report *report);
 
 /** Size of a key path. */
 enum { SPH2D__PATH_SIZE = 256 };
@@ -27,8 +26,7 @@ sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const c
 /** "blocks[2].box" from "blocks", 2, ".box". */
 const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, size_t index, const char *rest);
 
-/** "obstacles[2].line", or "bodies[0].circle", of obstacle `index` of the checker's scene, in which bodies follow the
- *  obstacles. */
+/** "obstacles[2].line", or "bodies[0].circle", of wall `index` of the checker's world. */
 const char *sph2d__check_wall_path(const sph2d__checker *c, char path[SPH2D__PATH_SIZE], size_t index,
                                    const char *rest);
 
@@ -59,7 +57,7 @@ void sph2d__check_frames(sph2d__checker *c);
 /** Whether a name is one: 1 to 64 letters, digits, _ or -. */
 bool sph2d__check_name(const char *name);
 
-/** Checks every obstacle, and the side of its liquid. */
+/** Checks every obstacle and body as the scene draws it, and the side of its liquid. */
 void sph2d__check_obstacles(sph2d__checker *c);
 
 /** Checks the keys of every obstacle's motion. */
@@ -67,7 +65,7 @@ void sph2d__check_motion_keys(sph2d__checker *c);
 /** Checks that motions start in place, stay within walls and clear of obstacles, and warns of jumps of velocity. */
 void sph2d__check_motions(sph2d__checker *c);
 
-/** Follows the motion of obstacle `index` along its course; `hits` has room for a byte of each obstacle. */
+/** Follows the motion of wall `index` along its course; `hits` has room for a byte of each wall. */
 void sph2d__check_way(sph2d__checker *c, size_t index, const sph2d__course *course, unsigned char *hits);
 
 /** Checks every opening; obstacles are valid. */
@@ -80,7 +78,9 @@ void sph2d__check_inflow(sph2d__checker *c, size_t i, bool filled);
 void sph2d__check_reach(sph2d__checker *c);
 void sph2d__check_liquid(sph2d__checker *checker);
 
-/** Checks the mass, freedoms and place of every body. */
+/** Checks what the keys of every body say of its mass and freedoms. */
+void sph2d__check_body_keys(sph2d__checker *c);
+/** Checks the size, mass, springs and place of every body. */
 void sph2d__check_bodies(sph2d__checker *c);
 
 /** Warns of obstacles so thin that liquids on their two sides interact through them. */

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/** @file closed_flow.c */
-#include "scene/closed_flow.h"
+/** @file closed_flow.c
+ *  What openings make of liquid that has no free surface: how fast it gets in the narrowest part of a channel, and how
+ *  hard it is pulled. */
+#include "scene/derive.h"
 
 #include <math.h>
 
-#include "scene/bodies.h"
 #include "scene/openings.h"
 #include "scene/shape.h"
 
@@ -20,6 +21,7 @@ static const double RAMP_SLOPE = 1.875;
 
 /** A channel along x, or along y. */
 typedef struct channel {
+    const sph2d__world *world;
     const sph2d_scene *scene;
     bool along_x;
     double low, width;  /**< across it [m] */
@@ -32,13 +34,13 @@ static sph2d_vec2 place(const channel *c, double along, double across)
 }
 
 /** Whether an obstacle is in the way at a place: lines are as thick as a spacing. */
-static bool blocks(const channel *c, const sph2d_obstacle *obstacle, sph2d_vec2 p)
+static bool blocks(const channel *c, const sph2d__wall *wall, sph2d_vec2 p)
 {
-    const sph2d_shape *outline = &obstacle->shape;
+    const sph2d_shape *outline = &wall->shape;
     double dx = c->scene->spacing;
     if (sph2d__shape_is_open(outline))
         return sph2d__shape_nearest(outline, dx, p) < dx / 2;
-    return sph2d__shape_contains(outline, p) != (obstacle->liquid == SPH2D_LIQUID_INSIDE);
+    return sph2d__shape_contains(outline, p) != (wall->liquid == SPH2D_LIQUID_INSIDE);
 }
 
 /** The free part of the width of the section at `along`; 0 where less is free than liquid passes, or where it need not
@@ -47,13 +49,12 @@ static double free_part(const channel *c, double along)
 {
     if (along < c->first || along > c->last)
         return 0;
-    size_t count = sph2d__obstacles_without_bodies(c->scene);
     int open = 0;
     for (int k = 0; k < PLACES; ++k) {
         sph2d_vec2 p = place(c, along, c->low + (k + 0.5) / PLACES * c->width);
         bool taken = false;
-        for (size_t i = 0; i < count && !taken; ++i)
-            taken = blocks(c, &c->scene->obstacles[i], p);
+        for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->first_body && !taken; ++i)
+            taken = blocks(c, &c->world->walls[i], p);
         open += !taken;
     }
     return open * c->width < LEAST_GAP * c->scene->spacing * PLACES ? 0 : (double)open / PLACES;
@@ -145,11 +146,12 @@ static bool is_along_x(sph2d_side_name side)
 
 /** The channel from the openings of a side into the domain, up to the first opening of the other kind on a side along it:
  *  there the flow may turn. */
-static channel channel_from(const sph2d_scene *scene, sph2d_side_name side, bool with_velocity)
+static channel channel_from(const sph2d__world *world, sph2d_side_name side, bool with_velocity)
 {
+    const sph2d_scene *scene = &world->scene;
     const sph2d_box *d = &scene->domain;
-    channel c = is_along_x(side) ? (channel){scene, true, d->min.y, d->max.y - d->min.y, d->min.x, d->max.x}
-                                 : (channel){scene, false, d->min.x, d->max.x - d->min.x, d->min.y, d->max.y};
+    channel c = is_along_x(side) ? (channel){world, scene, true, d->min.y, d->max.y - d->min.y, d->min.x, d->max.x}
+                                 : (channel){world, scene, false, d->min.x, d->max.x - d->min.x, d->min.y, d->max.y};
     for (size_t i = 0; i < scene->opening_count; ++i) {
         const sph2d_opening *o = &scene->openings[i];
         if (is_along_x(o->side) == c.along_x || sph2d__opening_has_velocity(o) == with_velocity)
@@ -168,8 +170,8 @@ static channel channel_from(const sph2d_scene *scene, sph2d_side_name side, bool
 static double narrowest(const channel *c)
 {
     double least = 1;
-    for (size_t i = 0; i < sph2d__obstacles_without_bodies(c->scene); ++i)
-        least = fmin(least, least_beside(c, &c->scene->obstacles[i].shape));
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->first_body; ++i)
+        least = fmin(least, least_beside(c, &c->world->walls[i].shape));
     return least * c->width;
 }
 
@@ -188,18 +190,19 @@ static sph2d_side_name side_of_outlets(const sph2d_scene *scene, sph2d_side_name
     return side;
 }
 
-double sph2d__throat_speed(const sph2d_scene *scene)
+double sph2d__throat_speed(const sph2d__world *world)
 {
+    const sph2d_scene *scene = &world->scene;
     inflow x = larger(largest_flow(scene, SPH2D_SIDE_NAME_LEFT), largest_flow(scene, SPH2D_SIDE_NAME_RIGHT));
     inflow y = larger(largest_flow(scene, SPH2D_SIDE_NAME_BOTTOM), largest_flow(scene, SPH2D_SIDE_NAME_TOP));
     if (has_surface(scene) || (x.flow > 0) == (y.flow > 0))
         return 0;
     inflow in = x.flow > 0 ? x : y;
-    channel c = channel_from(scene, in.side, true);
+    channel c = channel_from(world, in.side, true);
     double width = fmin(narrowest(&c), free_width(scene));
     sph2d_side_name out = side_of_outlets(scene, in.side);
     if (is_along_x(out) != c.along_x) {
-        channel away = channel_from(scene, out, false);
+        channel away = channel_from(world, out, false);
         width = fmin(width, narrowest(&away));
     }
     double m = fmin(width / in.width, 1), jet = 0.63 + 0.37 * m * m * m;

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /** @file copy.c
- *  Deep copy of a scene by the key table, which lists all pointers but those to particles and values at the start. */
-#include "scene/copy.h"
+ *  The copy of a scene that a world owns: deep, by the key table, which lists all pointers but those to particles and
+ *  values at the start. */
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
+#include "scene/resolve.h"
+#include "scene/world.h"
 #include "sph2d/key.h"
 
 typedef struct copier {
@@ -93,7 +96,7 @@ static bool copy_start(copier *c, sph2d_start *start)
            copy_items(c, &start->snapshot.items, start->snapshot.count, sizeof(sph2d_cloud_point));
 }
 
-sph2d_status sph2d__scene_copy(const sph2d_scene *from, sph2d__arena *arena, sph2d__memory *memory, sph2d_scene *to)
+static bool copy_scene(const sph2d_scene *from, sph2d__arena *arena, sph2d__memory *memory, sph2d_scene *to)
 {
     *to = *from;
     copier c = {arena, memory};
@@ -102,5 +105,22 @@ sph2d_status sph2d__scene_copy(const sph2d_scene *from, sph2d__arena *arena, sph
               copy_start(&c, &to->start);
     for (size_t i = 0; ok && i < to->block_count; ++i)
         ok = copy_start(&c, (sph2d_start *)(uintptr_t)&to->blocks[i].start); /* of the fresh list */
-    return ok ? SPH2D_OK : SPH2D_NOMEM;
+    return ok;
+}
+
+static sph2d__gravity_direction direction_of(sph2d_vec2 g)
+{
+    double size = hypot(g.x, g.y);
+    return (sph2d__gravity_direction){size, size > 0 ? (sph2d_vec2){-g.x / size, -g.y / size} : (sph2d_vec2){0, 0}};
+}
+
+sph2d_status sph2d__world_copy(sph2d__world *world, const sph2d_scene *scene, sph2d__arena *arena,
+                               sph2d__memory *memory)
+{
+    *world = (sph2d__world){.box = scene->domain, .gravity = direction_of(scene->gravity)};
+    if (!copy_scene(scene, arena, memory, &world->scene))
+        return SPH2D_NOMEM;
+    world->scene.method = sph2d__method_resolve(scene->method);
+    world->scene.walls = sph2d__side_form(scene);
+    return sph2d__world_set_walls(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
 }

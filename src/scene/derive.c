@@ -8,9 +8,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "scene/basin.h"
 #include "scene/bodies.h"
-#include "scene/closed_flow.h"
 #include "scene/frame.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
@@ -63,38 +61,40 @@ static double capillary_head(const sph2d_scene *scene)
     return scene->fluid.surface_tension / (scene->fluid.density * radius);
 }
 
-/** Largest speed of an obstacle. Without memory for the cubics of its path they count as straight lines. */
-static double obstacle_speed(const sph2d_obstacle *obstacle)
+/** Largest speed of a wall by its motion. Without memory for the cubics of its path they count as straight lines. */
+static double motion_speed(const sph2d__wall *wall)
 {
-    const sph2d_motion *m = &obstacle->motion;
+    const sph2d_motion *m = &wall->motion;
     if (!sph2d__motion_moves(m))
         return 0;
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
     size_t count = sph2d__motion_bends(m);
     void *bends = count ? sph2d__alloc(&memory, count, sizeof(sph2d_pose_point)) : NULL;
-    sph2d__course course = sph2d__course_of(m, &obstacle->shape, bends);
-    double speed = sph2d__course_speed(&course, sph2d__shape_distance(&obstacle->shape, course.center));
+    sph2d__course course = sph2d__course_of(m, &wall->shape, bends);
+    double speed = sph2d__course_speed(&course, sph2d__shape_distance(&wall->shape, course.center));
     sph2d__release(&memory, &bends, count, sizeof(sph2d_pose_point));
     return speed;
 }
 
 /** Largest speed of a wall. */
-static double wall_speed(const sph2d_scene *scene)
+static double wall_speed(const sph2d__world *world)
 {
+    const sph2d_scene *scene = &world->scene;
     const sph2d_side_speeds *s = &scene->wall_speeds;
     double speed = fmax(fmax(fabs(s->left), fabs(s->right)), fmax(fabs(s->bottom), fabs(s->top)));
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        speed = fmax(speed, obstacle_speed(&scene->obstacles[i]));
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k)
+        speed = fmax(speed, motion_speed(&world->walls[k]));
     for (size_t k = 0; k < scene->body_count; ++k)
         speed = fmax(speed, sph2d__body_speed(&scene->bodies[k]));
     return speed;
 }
 
 /** The largest height of a body's centre of mass above the lowest corner of the domain, from which it falls. */
-static double height_of_bodies(const sph2d_scene *scene)
+static double height_of_bodies(const sph2d__world *world)
 {
-    double g = hypot(scene->gravity.x, scene->gravity.y), height = 0;
-    sph2d_vec2 up = {-scene->gravity.x / g, -scene->gravity.y / g};
+    const sph2d_scene *scene = &world->scene;
+    double height = 0;
+    sph2d_vec2 up = world->gravity.up;
     sph2d_vec2 low = {up.x > 0 ? scene->domain.min.x : scene->domain.max.x,
                       up.y > 0 ? scene->domain.min.y : scene->domain.max.y};
     for (size_t k = 0; k < scene->body_count; ++k) {
@@ -107,14 +107,15 @@ static double height_of_bodies(const sph2d_scene *scene)
 
 /** Height from which the liquid can fall: in a tank that tilts, by the rise of its floor more than at rest, and at most
  *  the domain's diagonal. */
-static double height_of(const sph2d_scene *scene, const sph2d__drive *drive, double extra_head)
+static double height_of(const sph2d__world *world, const sph2d__drive *drive, double extra_head)
 {
+    const sph2d_scene *scene = &world->scene;
     double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
-    double g0 = hypot(scene->gravity.x, scene->gravity.y);
+    double g0 = world->gravity.size;
     if (!(g0 > 0))
         return drive->gravity > 0 ? hypot(width, height) : 0;
     double across = (width * fabs(scene->gravity.y) + height * fabs(scene->gravity.x)) / g0;
-    double still = fmax(sph2d__basin_height(scene, extra_head), height_of_bodies(scene));
+    double still = fmax(sph2d__basin_height(world, extra_head), height_of_bodies(world));
     return drive->tilt > 0 ? fmin(still + across * drive->tilt, hypot(width, height)) : still;
 }
 
@@ -132,10 +133,13 @@ static void add_springs(const sph2d_scene *scene, sph2d__derived *d)
     d->spring_head = (d->speed * d->speed - speed * speed) / 2;
 }
 
-sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
+/** What follows from the world; what liquid a file holds, a resumed run does not know, so that nothing follows from it. */
+static sph2d__derived derived_of(const sph2d__world *world)
 {
+    const sph2d_scene *scene = &world->scene;
+    const sph2d_method_options method = scene->method;
+    const bool from_file = sph2d__liquid_is_from_file(scene);
     sph2d__derived d = {0};
-    sph2d_method_options method = sph2d__method_resolve(scene->method);
     d.support_radius = method.support_ratio * scene->spacing;
     d.reach = sph2d__scene_reach(scene);
     d.mass = scene->fluid.density * scene->spacing * scene->spacing;
@@ -147,11 +151,11 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         d.speed = fmax(d.speed, scene->sources[i].speed);
     for (size_t i = 0; i < scene->opening_count; ++i)
         d.speed = fmax(d.speed, sph2d__opening_speed(scene, &scene->openings[i]));
-    d.speed = fmax(d.speed, sph2d__throat_speed(scene));
-    for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i)
+    d.speed = fmax(d.speed, sph2d__throat_speed(world));
+    for (size_t i = 0; !scene->particles.file && i < scene->particles.count; ++i)
         d.speed = fmax(d.speed, hypot(scene->particles.items[i].vx, scene->particles.items[i].vy));
     d.speed = fmax(d.speed, sph2d__start_speed(&scene->start));
-    d.speed = fmax(fmax(d.speed, wall_speed(scene)), drive.speed);
+    d.speed = fmax(fmax(d.speed, wall_speed(world)), drive.speed);
     add_springs(scene, &d);
     for (size_t i = 0; i < scene->interaction_count; ++i)
         d.pull = fmax(d.pull, fabs(scene->interactions[i].acceleration) * scene->interactions[i].radius / 2);
@@ -162,7 +166,7 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
         if (sph2d__opening_kind_of(&scene->openings[i]) == SPH2D__OPENING_PRESSURE)
             pressed = fmax(pressed, sph2d__opening_largest(&scene->openings[i]) / scene->fluid.density);
     d.pull += sph2d__slowing_head(scene);
-    d.height = g > 0 ? height_of(scene, &drive, (d.speed * d.speed / 2 + d.pull) / g) : 0;
+    d.height = g > 0 ? height_of(world, &drive, (d.speed * d.speed / 2 + d.pull) / g) : 0;
     d.pull += fmax(pressed - g * d.height, 0);
     d.head = g * d.height + d.speed * d.speed / 2 + d.pull;
     d.capillary_head = capillary_head(scene);
@@ -170,11 +174,11 @@ sph2d__derived sph2d__scene_derive(const sph2d_scene *scene)
     const sph2d__method_row *row = sph2d__method_row_of(&method);
     d.soft_compression = row->sound_compression * method.max_compression;
     d.stiffness_part = row->stiffness_part ? row->stiffness_part(d.support_radius, scene->spacing) : 1;
+    d.natural_speed = fmax(sqrt(SPH2D__OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
     d.sound_speed = method.sound_speed > 0 ? method.sound_speed : sqrt(d.stiffness_part * method.stiffness);
     if (!(d.sound_speed > 0))
-        d.sound_speed = fmax(sqrt(SPH2D__OVERSHOOT * d.head / d.soft_compression), d.ripple_speed);
-    bool unread = scene->particles.file && !scene->particles.items;
-    if (unread || sph2d__starts_from_snapshot(scene)) /* what liquid it is, a resumed run does not know */
+        d.sound_speed = d.natural_speed;
+    if (from_file)
         d.head = fmax(d.head, d.soft_compression * d.sound_speed * d.sound_speed / SPH2D__OVERSHOOT);
     return d;
 }
@@ -202,37 +206,44 @@ double sph2d_scene_particles(const sph2d_scene *scene)
     return count + length / dx * layers;
 }
 
+/* ---- defaults that follow ---------------------------------------------------------------------------------------- */
+
 /* Shear that is a hundred times slower than that of the scene: a plug in a channel then creeps by 1 % of its velocity. */
 static const double SLOWER = 100;
 
-double sph2d__regularisation(const sph2d_scene *scene)
+/** The regularisation of the liquid: the scene's, or by default 100 L/sqrt(2 E), L the smaller side of the domain and E
+ *  the head, and 1 s where that is 0; 0 for liquids without one [s]. */
+static double regularisation_of(const sph2d__world *world)
 {
+    const sph2d_scene *scene = &world->scene;
     const sph2d_fluid *f = &scene->fluid;
     if (f->regularisation > 0 || f->model == SPH2D_RHEOLOGY_NEWTONIAN || f->model == SPH2D_RHEOLOGY_CARREAU)
         return f->regularisation;
     double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
-    double head = sph2d__scene_derive(scene).head;
+    double head = world->derived.head;
     return head > 0 ? SLOWER * fmin(width, height) / sqrt(2 * head) : 1;
 }
 
-/* Sound between a floor and a free surface at a distance h has the period 4 h/c0 at most (a quarter of a wave stands
- * there), and liquid that is slightly compressible rings with it and its overtones after every impact, as water of its
- * sound speed would. What is shorter says nothing of the liquid meant, whose sound is far faster. */
-double sph2d__gauge_rise_time(const sph2d_scene *scene)
+/** The rise time of gauges that have none of their own [s].
+ *
+ *  Sound between a floor and a free surface at a distance h has the period 4 h/c0 at most (a quarter of a wave stands
+ *  there), and liquid that is slightly compressible rings with it and its overtones after every impact, as water of its
+ *  sound speed would. What is shorter says nothing of the liquid meant, whose sound is far faster. */
+static double rise_time_of_gauges(const sph2d__world *world)
 {
-    const sph2d__derived d = sph2d__scene_derive(scene);
-    if (!(d.gravity > 0 && d.sound_speed > 0))
+    const sph2d__derived *d = &world->derived;
+    if (!(d->gravity > 0 && d->sound_speed > 0))
         return 0;
     /* What liquid a file has, a resumed run does not know: its height is the one that the sound speed is for. */
-    const double head = d.soft_compression * d.sound_speed * d.sound_speed / SPH2D__OVERSHOOT;
-    const bool from_file = scene->particles.file || sph2d__starts_from_snapshot(scene);
-    return 4 * (from_file ? head / d.gravity : d.height) / d.sound_speed;
+    const double head = d->soft_compression * d->sound_speed * d->sound_speed / SPH2D__OVERSHOOT;
+    return 4 * (sph2d__liquid_is_from_file(&world->scene) ? head / d->gravity : d->height) / d->sound_speed;
 }
 
-/* The largest value of a quantity that the scene's head suggests; 0 for others. */
-static double largest_expected(const sph2d_scene *scene, const char *name)
+/** The largest value of a quantity that the world's head suggests; 0 for others. */
+static double largest_expected(const sph2d__world *world, const char *name)
 {
-    const double head = sph2d__scene_derive(scene).head;
+    const sph2d_scene *scene = &world->scene;
+    const double head = world->derived.head;
     if (strcmp(name, "speed") == 0)
         return sqrt(2 * head);
     if (strcmp(name, "vorticity") == 0) /* shear that is ten times that of the scene: layers and eddies */
@@ -241,22 +252,50 @@ static double largest_expected(const sph2d_scene *scene, const char *name)
     return strcmp(name, "Pressures") == 0 ? scene->fluid.density * head : 0;
 }
 
-sph2d_frames sph2d__frames_resolve(const sph2d_scene *scene)
+/** The frames with the defaults that follow from the head: the ends of the colour bar 0 and sqrt(2 head) for
+ *  speed, density * head for pressure, ten times that speed over the domain's smaller side, with either sign, for
+ *  vorticity, (0, 0) for other fields; the speed of arrows, which streamlines know, too, sqrt(2 head); isolines a round
+ *  number near a tenth of these. */
+static sph2d_frames frames_of(const sph2d__world *world)
 {
     static const double lines = 10; /* to that value */
-    sph2d_frames frames = scene->run.frames;
+    sph2d_frames frames = world->scene.run.frames;
     if (frames.color && frames.color_range.x == 0 && frames.color_range.y == 0) {
-        frames.color_range.y = largest_expected(scene, frames.color);
+        frames.color_range.y = largest_expected(world, frames.color);
         if (strcmp(frames.color, "vorticity") == 0) /* of either sign */
             frames.color_range.x = 0 - frames.color_range.y;
     }
     const bool of_speed = frames.arrows == SPH2D_SWITCH_ON || frames.streamlines == SPH2D_SWITCH_ON;
     if (of_speed && frames.arrow_speed == 0)
-        frames.arrow_speed = largest_expected(scene, "speed");
+        frames.arrow_speed = largest_expected(world, "speed");
     if (frames.isolines && frames.isoline_step == 0) {
-        const double step = largest_expected(scene, frames.isolines) / lines;
+        const double step = largest_expected(world, frames.isolines) / lines;
         const double power = step > 0 ? pow(10, floor(log10(step))) : 0, lead = step > 0 ? step / power : 0;
         frames.isoline_step = power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
     }
     return frames;
+}
+
+/** Gives gauges without a rise time their default. False when memory is short. */
+static bool settle_gauges(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+{
+    sph2d_scene *scene = &world->scene;
+    sph2d_probe *probes = sph2d__arena_alloc(arena, memory, scene->probe_count + 1, sizeof *probes);
+    if (!probes)
+        return false;
+    for (size_t i = 0; i < scene->probe_count; ++i) {
+        probes[i] = scene->probes[i];
+        if (probes[i].kind == SPH2D_PROBE_PRESSURE && isnan(probes[i].rise_time))
+            probes[i].rise_time = rise_time_of_gauges(world);
+    }
+    scene->probes = probes;
+    return true;
+}
+
+sph2d_status sph2d__derive(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+{
+    world->derived = derived_of(world);
+    world->scene.fluid.regularisation = regularisation_of(world);
+    world->scene.run.frames = frames_of(world);
+    return settle_gauges(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
 }

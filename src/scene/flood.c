@@ -4,7 +4,6 @@
 
 #include <math.h>
 
-#include "scene/bodies.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 
@@ -66,11 +65,10 @@ static void mark_crossings(sph2d__flood *flood, sph2d__segment s, bool columns)
 
 static void mark_walls(sph2d__flood *flood)
 {
-    for (size_t i = 0; i < flood->scene->obstacle_count; ++i) {
-        const sph2d_shape *outline = &flood->scene->obstacles[i].shape;
-        size_t pieces = !sph2d__obstacle_moves(&flood->scene->obstacles[i])
-                            ? sph2d__shape_pieces(outline, flood->scene->spacing)
-                            : 0;
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < flood->world->wall_count; ++i) {
+        const sph2d__wall *wall = &flood->world->walls[i];
+        const sph2d_shape *outline = &wall->shape;
+        size_t pieces = !sph2d__wall_moves(wall) ? sph2d__shape_pieces(outline, flood->scene->spacing) : 0;
         for (size_t k = 0; k < pieces; ++k) {
             sph2d__segment s = sph2d__shape_piece(outline, flood->scene->spacing, k);
             mark_crossings(flood, s, false);
@@ -165,10 +163,11 @@ double sph2d__flood_cells(const sph2d_scene *scene)
            fmax(ceil((d.max.y - d.min.y) / scene->spacing - 1e-9), 1);
 }
 
-bool sph2d__flood_make(sph2d__flood *flood, const sph2d_scene *scene, sph2d_vec2 up)
+bool sph2d__flood_make(sph2d__flood *flood, const sph2d__world *world, sph2d_vec2 up)
 {
+    const sph2d_scene *scene = &world->scene;
     sph2d_box d = scene->domain;
-    *flood = (sph2d__flood){.scene = scene, .up_x = up.x, .up_y = up.y, .origin = d.min};
+    *flood = (sph2d__flood){.world = world, .scene = scene, .up_x = up.x, .up_y = up.y, .origin = d.min};
     flood->lowest = sph2d__flood_heights(flood, d).x;
     flood->memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
     if (!(sph2d__flood_cells(scene) <= MAX_CELLS))

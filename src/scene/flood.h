@@ -7,11 +7,11 @@
 
 #include <stdint.h>
 
-#include "base/memory.h"
-#include "sph2d/scene.h"
+#include "scene/world.h"
 
 typedef struct sph2d__flood {
-    const sph2d_scene *scene;
+    const sph2d__world *world;
+    const sph2d_scene *scene;  /**< its own */
     double up_x, up_y, lowest; /**< unit vector upwards, or 0; height of the domain's lowest corner along it [m] */
     sph2d_vec2 origin;
     double size_x, size_y; /**< of a cell [m] */
@@ -28,7 +28,7 @@ double sph2d__flood_cells(const sph2d_scene *scene);
 
 /** Makes the grid and marks the walls; `up`: unit vector upwards, or 0. False if there are too many cells, or memory is
  *  short; then there is nothing to free, and heights are known all the same. */
-bool sph2d__flood_make(sph2d__flood *flood, const sph2d_scene *scene, sph2d_vec2 up);
+bool sph2d__flood_make(sph2d__flood *flood, const sph2d__world *world, sph2d_vec2 up);
 void sph2d__flood_free(sph2d__flood *flood);
 
 /** Puts liquid at a position, or into a shape: one cell at least. */

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/resolve.h"
 #include "scene/shape.h"
 
 /* Maximum numbers of samples along a wall segment, and along an edge of a block's bounding box. */
@@ -16,26 +15,26 @@ static const double MITRE_LIMIT = 2;
 
 double sph2d__layer_thickness(const sph2d_scene *scene)
 {
-    return ceil(sph2d__method_resolve(scene->method).support_ratio - 1e-9) * scene->spacing;
+    return ceil(scene->method.support_ratio - 1e-9) * scene->spacing;
 }
 
-bool sph2d__obstacle_has_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+bool sph2d__wall_has_side(const sph2d__wall *wall)
 {
-    return sph2d__shape_is_open(&obstacle->shape) && sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED;
+    return sph2d__shape_is_open(&wall->shape) && wall->form == SPH2D_WALL_GENERALISED;
 }
 
-bool sph2d__obstacle_is_hollow(const sph2d_obstacle *obstacle)
+bool sph2d__wall_is_hollow(const sph2d__wall *wall)
 {
-    return obstacle->liquid == SPH2D_LIQUID_INSIDE && !sph2d__shape_is_open(&obstacle->shape);
+    return wall->liquid == SPH2D_LIQUID_INSIDE && !sph2d__shape_is_open(&wall->shape);
 }
 
-bool sph2d__obstacle_fills(const sph2d_scene *scene, const sph2d_obstacle *obstacle, sph2d_vec2 p)
+bool sph2d__wall_fills(const sph2d_scene *scene, const sph2d__wall *wall, sph2d_vec2 p)
 {
-    bool inside = sph2d__shape_contains(&obstacle->shape, p);
-    if (!sph2d__obstacle_is_hollow(obstacle))
+    bool inside = sph2d__shape_contains(&wall->shape, p);
+    if (!sph2d__wall_is_hollow(wall))
         return inside;
-    return !inside && sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_GENERALISED &&
-           sph2d__shape_nearest(&obstacle->shape, scene->spacing, p) < sph2d__layer_thickness(scene);
+    return !inside && wall->form == SPH2D_WALL_GENERALISED &&
+           sph2d__shape_nearest(&wall->shape, scene->spacing, p) < sph2d__layer_thickness(scene);
 }
 
 bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
@@ -49,29 +48,47 @@ bool sph2d__in_block(const sph2d_scene *scene, sph2d_vec2 p)
 /* Places that are looked at for a void, and the part of them that may be one: where edges of blocks and solids meet. */
 static const double MOST_PLACES = 4e6, VOID_PART = 0.002;
 
-static bool is_taken(const sph2d_scene *scene, sph2d_vec2 p)
+static bool is_taken(const sph2d__world *world, sph2d_vec2 p)
 {
-    bool taken = sph2d__in_block(scene, p);
-    for (size_t i = 0; !taken && i < scene->obstacle_count; ++i)
-        taken = sph2d__obstacle_fills(scene, &scene->obstacles[i], p);
+    bool taken = sph2d__in_block(&world->scene, p);
+    for (size_t k = SPH2D__WALL_OBSTACLE; !taken && k < world->first_body; ++k)
+        taken = sph2d__wall_fills(&world->scene, &world->walls[k], p);
     return taken;
 }
 
-bool sph2d__liquid_fills(const sph2d_scene *scene)
+/** Whether one block covers the domain. */
+static bool is_covered(const sph2d_scene *scene)
 {
+    const sph2d_box *d = &scene->domain;
+    double near = scene->spacing / 2;
+    for (size_t i = 0; i < scene->block_count; ++i) {
+        const sph2d_shape *shape = &scene->blocks[i].shape;
+        const sph2d_box *box = &shape->box;
+        if (shape->kind == SPH2D_SHAPE_BOX && box->min.x <= d->min.x + near && box->min.y <= d->min.y + near &&
+            box->max.x >= d->max.x - near && box->max.y >= d->max.y - near)
+            return true;
+    }
+    return false;
+}
+
+bool sph2d__liquid_fills(const sph2d__world *world)
+{
+    const sph2d_scene *scene = &world->scene;
     const sph2d_boundary *b = &scene->boundary;
     const sph2d_box *d = &scene->domain;
     double nx = floor((d->max.x - d->min.x) / scene->spacing), ny = floor((d->max.y - d->min.y) / scene->spacing);
-    if (sph2d__has_no_surface(scene))
-        return true;
     if (b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN || b->bottom == SPH2D_SIDE_OPEN ||
-        b->top == SPH2D_SIDE_OPEN || nx * ny > MOST_PLACES)
+        b->top == SPH2D_SIDE_OPEN)
+        return false;
+    if (is_covered(scene))
+        return true;
+    if (nx * ny > MOST_PLACES)
         return false;
     double voids = 0;
     for (double row = ny; row-- > 0;) /* from the top, where air is */
         for (double column = 0; column < nx; ++column) {
             sph2d_vec2 p = {d->min.x + (column + 0.5) * scene->spacing, d->min.y + (row + 0.5) * scene->spacing};
-            voids += !is_taken(scene, p);
+            voids += !is_taken(world, p);
             if (voids > VOID_PART * nx * ny)
                 return false;
         }
@@ -153,15 +170,15 @@ static sph2d_liquid_side side_of_nearest(const sph2d_scene *scene, const sph2d_s
     return side < 0 ? SPH2D_LIQUID_RIGHT : SPH2D_LIQUID_LEFT;
 }
 
-sph2d_liquid_side sph2d__liquid_side(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+sph2d_liquid_side sph2d__liquid_side(const sph2d_scene *scene, const sph2d__wall *wall)
 {
-    if (obstacle->liquid != SPH2D_LIQUID_AUTO)
-        return obstacle->liquid;
+    if (wall->liquid != SPH2D_LIQUID_AUTO)
+        return wall->liquid;
     bool left = false, right = false;
-    find_wet_sides(scene, &obstacle->shape, sph2d__layer_thickness(scene), &left, &right);
+    find_wet_sides(scene, &wall->shape, sph2d__layer_thickness(scene), &left, &right);
     if (left || right)
         return left && right ? SPH2D_LIQUID_BOTH : left ? SPH2D_LIQUID_LEFT : SPH2D_LIQUID_RIGHT;
-    return side_of_nearest(scene, &obstacle->shape);
+    return side_of_nearest(scene, &wall->shape);
 }
 
 /** Unit normal of a segment of a line, to its left. */
@@ -187,30 +204,37 @@ bool sph2d__solid_of_line(sph2d_points line, double thickness, sph2d_vec2 *corne
     return !sph2d__polygon_crosses_itself((sph2d_points){corners, 2 * n});
 }
 
-sph2d_status sph2d__resolve_obstacles(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory)
+/** Makes a solid of a line that is wet on both sides. False when memory is short. */
+static bool make_solid(const sph2d_scene *scene, sph2d_shape *outline, sph2d__arena *arena, sph2d__memory *memory)
 {
-    if (scene->obstacle_count == 0)
-        return SPH2D_OK;
-    sph2d_obstacle *obstacles = sph2d__arena_alloc(arena, memory, scene->obstacle_count, sizeof *obstacles);
+    size_t count = sph2d_shape_corners(outline, scene->spacing, NULL);
+    sph2d_vec2 *corners = sph2d__arena_alloc(arena, memory, 3 * count, sizeof *corners);
+    if (!corners)
+        return false;
+    sph2d_vec2 *line = corners + 2 * count;
+    sph2d_shape_corners(outline, scene->spacing, line);
+    sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
+    outline->kind = SPH2D_SHAPE_POLYGON;
+    outline->points = (sph2d_points){corners, 2 * count};
+    return true;
+}
+
+sph2d_status sph2d__settle_sides(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+{
+    sph2d_scene *scene = &world->scene;
+    sph2d_obstacle *obstacles = sph2d__arena_alloc(arena, memory, scene->obstacle_count + 1, sizeof *obstacles);
     if (!obstacles)
         return SPH2D_NOMEM;
-    memcpy(obstacles, scene->obstacles, scene->obstacle_count * sizeof *obstacles);
     for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        sph2d_shape *outline = &obstacles[i].shape;
-        if (!sph2d__obstacle_has_side(scene, &obstacles[i]))
-            continue;
-        obstacles[i].liquid = sph2d__liquid_side(scene, &scene->obstacles[i]);
-        if (obstacles[i].liquid != SPH2D_LIQUID_BOTH)
-            continue;
-        size_t count = sph2d_shape_corners(outline, scene->spacing, NULL);
-        sph2d_vec2 *corners = sph2d__arena_alloc(arena, memory, 3 * count, sizeof *corners);
-        if (!corners)
-            return SPH2D_NOMEM;
-        sph2d_vec2 *line = corners + 2 * count;
-        sph2d_shape_corners(outline, scene->spacing, line);
-        sph2d__solid_of_line((sph2d_points){line, count}, sph2d__layer_thickness(scene), corners);
-        outline->kind = SPH2D_SHAPE_POLYGON;
-        outline->points = (sph2d_points){corners, 2 * count};
+        sph2d__wall *wall = &world->walls[SPH2D__WALL_OBSTACLE + i];
+        if (sph2d__wall_has_side(wall)) {
+            wall->liquid = sph2d__liquid_side(scene, wall);
+            if (wall->liquid == SPH2D_LIQUID_BOTH && !make_solid(scene, &wall->shape, arena, memory))
+                return SPH2D_NOMEM;
+        }
+        obstacles[i] = scene->obstacles[i];
+        obstacles[i].liquid = wall->liquid;
+        obstacles[i].shape = wall->shape;
     }
     scene->obstacles = obstacles;
     return SPH2D_OK;

@@ -5,10 +5,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "scene/bodies.h"
+#include "scene/motion.h"
 #include "scene/opening_profile.h"
 #include "scene/resolve.h"
-#include "scene/wall_names.h"
+#include "scene/shape.h"
 
 static bool is_vertical(sph2d_side_name side)
 {
@@ -190,23 +190,19 @@ double sph2d__reservoir_length(const sph2d_scene *scene)
 
 /* ---- the larger domain ------------------------------------------------------------------------------------------- */
 
-/* Names of solids beside openings: told from the same names elsewhere by where they are stored. */
-static const char names_beside[SPH2D__WALL_OBSTACLE][8] = {"left", "right", "bottom", "top"};
-
-bool sph2d__is_beside_opening(const sph2d_obstacle *obstacle)
-{
-    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (obstacle->name == names_beside[side])
-            return true;
-    return false;
-}
-
 /** A solid box beyond a side, over [low, high] along it. */
-static sph2d_obstacle solid_beside(const sph2d_scene *scene, const sph2d_box *all, sph2d_side_name side, double low,
-                                   double high)
+static sph2d__wall solid_beside(const sph2d__world *world, sph2d_side_name side, double low, double high)
 {
-    const sph2d_box *d = &scene->domain;
-    sph2d_obstacle solid = sph2d_obstacle_default();
+    const sph2d_box *d = &world->scene.domain, *all = &world->box;
+    const sph2d_obstacle plain = sph2d_obstacle_default();
+    sph2d__wall solid = {.kind = SPH2D__WALL_IS_BESIDE,
+                         .index = (size_t)side,
+                         .name = sph2d__side_word((int)side),
+                         .key = sph2d__shape_key(SPH2D_SHAPE_BOX),
+                         .form = sph2d__obstacle_form(&world->scene.method, plain.form),
+                         .slip = world->walls[side].slip,
+                         .restitution = plain.restitution,
+                         .motion = plain.motion};
     sph2d_box *b = &solid.shape.box;
     *b = is_vertical(side) ? (sph2d_box){{0, low}, {0, high}} : (sph2d_box){{low, 0}, {high, 0}};
     switch (side) {
@@ -223,11 +219,7 @@ static sph2d_obstacle solid_beside(const sph2d_scene *scene, const sph2d_box *al
         b->min.y = d->max.y, b->max.y = all->max.y;
         break;
     }
-    const sph2d_wall_slip slips[] = {scene->side_slip.left, scene->side_slip.right, scene->side_slip.bottom,
-                                     scene->side_slip.top};
     solid.shape.kind = SPH2D_SHAPE_BOX;
-    solid.slip = slips[side];
-    solid.name = names_beside[side];
     return solid;
 }
 
@@ -250,10 +242,11 @@ static const sph2d_opening *next_opening(const sph2d_scene *scene, sph2d_side_na
 
 /** Adds the solids beyond a side that has openings, and returns their number. The outer ones go on to the corners of
  *  the larger domain. */
-static size_t fill_side(const sph2d_scene *scene, const sph2d_box *all, sph2d_side_name side, sph2d_obstacle *solids)
+static size_t fill_side(const sph2d__world *world, sph2d_side_name side, sph2d__wall *solids)
 {
+    const sph2d_scene *scene = &world->scene;
+    const sph2d_box *all = &world->box;
     const sph2d_boundary *sides = &scene->boundary;
-
     bool vertical = is_vertical(side);
     const sph2d_box *d = &scene->domain;
     double low = vertical ? d->min.y : d->min.x, high = vertical ? d->max.y : d->max.x;
@@ -268,15 +261,15 @@ static size_t fill_side(const sph2d_scene *scene, const sph2d_box *all, sph2d_si
         double from = vertical ? m.start.y : m.start.x;
         double begin = at < low ? (from > low + slack ? first : from) : at;
         if (from > begin + slack)
-            solids[count++] = solid_beside(scene, all, side, begin, from);
+            solids[count++] = solid_beside(world, side, begin, from);
         at = from + m.width;
     }
     if (high > at + slack)
-        solids[count++] = solid_beside(scene, all, side, at, last);
+        solids[count++] = solid_beside(world, side, at, last);
     return count;
 }
 
-static bool has_opening(const sph2d_scene *scene, int side)
+bool sph2d__side_has_opening(const sph2d_scene *scene, int side)
 {
     for (size_t i = 0; i < scene->opening_count; ++i)
         if ((int)scene->openings[i].side == side)
@@ -284,36 +277,25 @@ static bool has_opening(const sph2d_scene *scene, int side)
     return false;
 }
 
-bool sph2d__add_reservoirs(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory)
+void sph2d__add_reservoirs(sph2d__world *world)
 {
+    const sph2d_scene *scene = &world->scene;
     if (scene->opening_count == 0)
-        return true;
+        return;
     double depth = sph2d__reservoir_length(scene);
-    sph2d_box all = scene->domain;
-    all.min.x -= has_opening(scene, SPH2D__WALL_LEFT) ? depth : 0;
-    all.max.x += has_opening(scene, SPH2D__WALL_RIGHT) ? depth : 0;
-    all.min.y -= has_opening(scene, SPH2D__WALL_BOTTOM) ? depth : 0;
-    all.max.y += has_opening(scene, SPH2D__WALL_TOP) ? depth : 0;
-    size_t before = sph2d__obstacles_without_bodies(scene), bodies = scene->obstacle_count - before;
-    size_t most = scene->obstacle_count + scene->opening_count + SPH2D__WALL_OBSTACLE;
-    sph2d_obstacle *obstacles = sph2d__arena_alloc(arena, memory, most, sizeof *obstacles);
-    if (!obstacles)
-        return false;
-    if (before > 0)
-        memcpy(obstacles, scene->obstacles, before * sizeof *obstacles);
-    size_t count = before;
+    world->box.min.x -= sph2d__side_has_opening(scene, SPH2D__WALL_LEFT) ? depth : 0;
+    world->box.max.x += sph2d__side_has_opening(scene, SPH2D__WALL_RIGHT) ? depth : 0;
+    world->box.min.y -= sph2d__side_has_opening(scene, SPH2D__WALL_BOTTOM) ? depth : 0;
+    world->box.max.y += sph2d__side_has_opening(scene, SPH2D__WALL_TOP) ? depth : 0;
+    const size_t bodies = world->wall_count - world->first_body; /* the list has room for all: world.c */
+    sph2d__wall *beside = world->walls + world->first_body, *end = world->walls + world->wall_room;
+    memmove(end - bodies, beside, bodies * sizeof *beside);
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (has_opening(scene, side))
-            count += fill_side(scene, &all, (sph2d_side_name)side, obstacles + count);
-    if (bodies > 0)
-        memcpy(obstacles + count, scene->obstacles + before, bodies * sizeof *obstacles);
-    sph2d_wall_slip *slips[] = {&scene->side_slip.left, &scene->side_slip.right, &scene->side_slip.bottom,
-                                &scene->side_slip.top};
+        if (sph2d__side_has_opening(scene, side))
+            world->first_body += fill_side(world, (sph2d_side_name)side, world->walls + world->first_body);
+    memmove(world->walls + world->first_body, end - bodies, bodies * sizeof *beside);
+    world->wall_count = world->first_body + bodies;
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (has_opening(scene, side))
-            *slips[side] = SPH2D_WALL_SLIP_FREE; /* the end of a reservoir does not brake what flows */
-    scene->obstacles = obstacles;
-    scene->obstacle_count = count + bodies;
-    scene->domain = all;
-    return true;
+        if (sph2d__side_has_opening(scene, side))
+            world->walls[side].slip = SPH2D_SLIP_FREE; /* the end of a reservoir does not brake what flows */
 }

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file openings.h
- *  Openings of a scene: where they are, and the reservoirs behind them, outside the domain. A simulation's own copy of
- *  a scene is larger by the reservoirs; what of this addition lies beside openings is solid. */
+ *  Openings of a scene: where they are, and the reservoirs behind them, outside the domain. The box of a world is larger
+ *  than the domain by the reservoirs; what of this addition lies beside openings is solid. */
 #ifndef SPH2D_SCENE_OPENINGS_H
 #define SPH2D_SCENE_OPENINGS_H
 
-#include "base/memory.h"
-#include "sph2d/scene.h"
+#include "scene/world.h"
 
 /** The line of an opening: a point of it is start + t along, 0 <= t <= width; `inward` points into the domain. */
 typedef struct sph2d__mouth {
@@ -14,10 +13,12 @@ typedef struct sph2d__mouth {
     double width; /**< [m] */
 } sph2d__mouth;
 
+/** Whether a side, by its number, has openings. */
+bool sph2d__side_has_opening(const sph2d_scene *scene, int side);
+
 /** The opening of a name; NULL if there is none. */
 const sph2d_opening *sph2d__opening_named(const sph2d_scene *scene, const char *name);
 
-/** Of an opening of a scene as it was given, without reservoirs. */
 sph2d__mouth sph2d__opening_mouth(const sph2d_scene *scene, const sph2d_opening *opening);
 
 /** What an opening prescribes. */
@@ -78,11 +79,7 @@ size_t sph2d__reservoir_rows(const sph2d_scene *scene);
  *  holds them jumped with each particle, and 11 % of the energy of a stream past a cylinder was unaccounted for. */
 double sph2d__reservoir_length(const sph2d_scene *scene);
 
-/** Adds the reservoirs to the domain of a copy of a scene, and solids beside openings, with the names of their sides,
- *  after its obstacles and before its bodies. False when memory is short. */
-bool sph2d__add_reservoirs(sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory);
-
-/** Whether an obstacle of such a copy is one of these solids. */
-bool sph2d__is_beside_opening(const sph2d_obstacle *obstacle);
+/** Adds the reservoirs to the box of a world, and solids beside openings to its walls, before its bodies. */
+void sph2d__add_reservoirs(sph2d__world *world);
 
 #endif

@@ -6,9 +6,8 @@
 
 #include "scene/liquid_side.h"
 #include "scene/shape.h"
-#include "scene/wall_names.h"
 
-/** An outline as its pieces, where its obstacle is at a time. */
+/** An outline as its pieces, where its wall is at a time. */
 static sph2d__segment piece_at(const sph2d_shape *outline, const sph2d__pose *pose, double spacing, size_t k)
 {
     sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
@@ -28,10 +27,10 @@ static bool cross_deeply(const sph2d__segment *s, const sph2d__segment *t, doubl
 }
 
 /** Whether a point lies in a solid, deeper than a depth. */
-static bool lies_deep(const sph2d_obstacle *obstacle, double spacing, sph2d_vec2 p, double depth)
+static bool lies_deep(const sph2d__wall *wall, double spacing, sph2d_vec2 p, double depth)
 {
-    const sph2d_shape *outline = &obstacle->shape;
-    if (sph2d__obstacle_is_hollow(obstacle) || !sph2d__shape_contains(outline, p))
+    const sph2d_shape *outline = &wall->shape;
+    if (sph2d__wall_is_hollow(wall) || !sph2d__shape_contains(outline, p))
         return false;
     size_t pieces = sph2d__shape_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
@@ -42,18 +41,18 @@ static bool lies_deep(const sph2d_obstacle *obstacle, double spacing, sph2d_vec2
     return true;
 }
 
-bool sph2d__obstacles_overlap(const sph2d_obstacle *obstacle, const sph2d__pose *pose, const sph2d_obstacle *other,
-                              double spacing, double depth)
+bool sph2d__walls_overlap(const sph2d__wall *wall, const sph2d__pose *pose, const sph2d__wall *other, double spacing,
+                          double depth)
 {
-    size_t own = sph2d__shape_pieces(&obstacle->shape, spacing);
+    size_t own = sph2d__shape_pieces(&wall->shape, spacing);
     size_t pieces = sph2d__shape_pieces(&other->shape, spacing);
     for (size_t k = 0; k < own; ++k) {
-        sph2d__segment s = piece_at(&obstacle->shape, pose, spacing, k);
+        sph2d__segment s = piece_at(&wall->shape, pose, spacing, k);
         if (lies_deep(other, spacing, s.a, depth))
             return true;
         for (size_t n = 0; n < pieces; ++n) {
             sph2d__segment t = sph2d__shape_piece(&other->shape, spacing, n);
-            if (cross_deeply(&s, &t, depth) || lies_deep(obstacle, spacing, sph2d__pose_invert(pose, t.a), depth))
+            if (cross_deeply(&s, &t, depth) || lies_deep(wall, spacing, sph2d__pose_invert(pose, t.a), depth))
                 return true;
         }
     }
@@ -65,7 +64,7 @@ bool sph2d__obstacles_overlap(const sph2d_obstacle *obstacle, const sph2d__pose 
 /** How far a segment is within a side [m]. */
 static double segment_within(const sph2d_scene *scene, int side, const sph2d__segment *s)
 {
-    return fmin(sph2d__side_distance(scene, side, s->a), sph2d__side_distance(scene, side, s->b));
+    return fmin(sph2d__side_distance(&scene->domain, side, s->a), sph2d__side_distance(&scene->domain, side, s->b));
 }
 
 double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_shape *outline, const sph2d__pose *pose,
@@ -88,7 +87,7 @@ double sph2d__beyond_sides(const sph2d_scene *scene, const sph2d_shape *outline,
 
 /* ---- gaps -------------------------------------------------------------------------------------------------------- */
 
-/** An outline as segments that are thick by a radius, where its obstacle is at a time: a solid circle is one point. */
+/** An outline as segments that are thick by a radius, where its wall is at a time: a solid circle is one point. */
 static size_t thick_pieces(const sph2d_shape *outline, bool solid, double spacing)
 {
     return solid && outline->kind == SPH2D_SHAPE_CIRCLE ? 1 : sph2d__shape_pieces(outline, spacing);
@@ -119,11 +118,10 @@ double sph2d__side_gap(const sph2d_scene *scene, const sph2d_shape *outline, con
     return least;
 }
 
-double sph2d__obstacles_gap(const sph2d_obstacle *obstacle, const sph2d__pose *pose, const sph2d_obstacle *other,
-                            double spacing)
+double sph2d__walls_gap(const sph2d__wall *wall, const sph2d__pose *pose, const sph2d__wall *other, double spacing)
 {
-    const sph2d_shape *own = &obstacle->shape, *its = &other->shape;
-    bool solid = !sph2d__obstacle_is_hollow(obstacle), firm = !sph2d__obstacle_is_hollow(other);
+    const sph2d_shape *own = &wall->shape, *its = &other->shape;
+    bool solid = !sph2d__wall_is_hollow(wall), firm = !sph2d__wall_is_hollow(other);
     sph2d__pose rest = {.cosine = 1};
     size_t count = thick_pieces(own, solid, spacing), others = thick_pieces(its, firm, spacing);
     double least = INFINITY, r, q;

@@ -29,48 +29,49 @@ static size_t index_of(double x, double low, double high, size_t count)
 
 static size_t column_of(const sph2d__solids *s, double x)
 {
-    return index_of(x, s->domain.min.x, s->domain.max.x, s->nx);
+    return index_of(x, s->box.min.x, s->box.max.x, s->nx);
 }
 
 static size_t row_of(const sph2d__solids *s, double y)
 {
-    return index_of(y, s->domain.min.y, s->domain.max.y, s->ny);
+    return index_of(y, s->box.min.y, s->box.max.y, s->ny);
 }
 
 /** Counts the obstacles of each box in first[box + 1], or, with a list, enters them from first[box] on. */
-static void visit(sph2d__solids *s, const sph2d_scene *scene, bool enter)
+static void visit(sph2d__solids *s, const sph2d__world *world, bool enter)
 {
-    for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        sph2d_box b = bounds_of(&scene->obstacles[i].shape, scene->spacing);
+    for (size_t i = SPH2D__WALL_OBSTACLE; i < world->wall_count; ++i) {
+        sph2d_box b = bounds_of(&world->walls[i].shape, world->scene.spacing);
         size_t right = column_of(s, b.max.x), top = row_of(s, b.max.y);
         for (size_t row = row_of(s, b.min.y); row <= top; ++row)
             for (size_t column = column_of(s, b.min.x); column <= right; ++column) {
                 size_t box = row * s->nx + column;
                 if (enter)
-                    s->obstacle[s->first[box]++] = i;
+                    s->wall[s->first[box]++] = i;
                 else
                     ++s->first[box + 1];
             }
     }
 }
 
-bool sph2d__solids_build(sph2d__solids *solids, const sph2d_scene *scene, sph2d__arena *arena, sph2d__memory *memory)
+bool sph2d__solids_build(sph2d__solids *solids, const sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
 {
-    *solids = (sph2d__solids){.domain = scene->domain};
-    if (scene->obstacle_count == 0)
+    *solids = (sph2d__solids){.box = world->box};
+    const size_t count = world->wall_count - SPH2D__WALL_OBSTACLE;
+    if (count == 0)
         return true;
-    solids->nx = solids->ny = (size_t)fmin(ceil(2 * sqrt((double)scene->obstacle_count)), MOST_BOXES);
+    solids->nx = solids->ny = (size_t)fmin(ceil(2 * sqrt((double)count)), MOST_BOXES);
     size_t boxes = solids->nx * solids->ny;
     solids->first = sph2d__arena_alloc(arena, memory, boxes + 1, sizeof *solids->first);
     if (!solids->first)
         return false;
-    visit(solids, scene, false);
+    visit(solids, world, false);
     for (size_t box = 0; box < boxes; ++box)
         solids->first[box + 1] += solids->first[box];
-    solids->obstacle = sph2d__arena_alloc(arena, memory, solids->first[boxes] + 1, sizeof *solids->obstacle);
-    if (!solids->obstacle)
+    solids->wall = sph2d__arena_alloc(arena, memory, solids->first[boxes] + 1, sizeof *solids->wall);
+    if (!solids->wall)
         return false;
-    visit(solids, scene, true);
+    visit(solids, world, true);
     for (size_t box = boxes; box > 0; --box) /* entering moved each to where the next begins */
         solids->first[box] = solids->first[box - 1];
     solids->first[0] = 0;
@@ -82,5 +83,5 @@ sph2d__solid_list sph2d__solids_near(const sph2d__solids *s, sph2d_vec2 p)
     if (s->nx == 0)
         return (sph2d__solid_list){0};
     size_t box = row_of(s, p.y) * s->nx + column_of(s, p.x);
-    return (sph2d__solid_list){s->obstacle + s->first[box], s->first[box + 1] - s->first[box]};
+    return (sph2d__solid_list){s->wall + s->first[box], s->first[box + 1] - s->first[box]};
 }

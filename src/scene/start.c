@@ -10,6 +10,11 @@ bool sph2d__starts_from_snapshot(const sph2d_scene *scene)
     return (snapshot->file || snapshot->count > 0) && !scene->particles.file && scene->particles.count == 0;
 }
 
+bool sph2d__liquid_is_from_file(const sph2d_scene *scene)
+{
+    return scene->particles.file || sph2d__starts_from_snapshot(scene);
+}
+
 double sph2d__start_speed(const sph2d_start *start)
 {
     const sph2d_grid *grid = &start->table;

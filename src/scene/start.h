@@ -9,6 +9,9 @@
 /** Whether a scene has the liquid of a snapshot: it names one, and no particles that take their values from it. */
 bool sph2d__starts_from_snapshot(const sph2d_scene *scene);
 
+/** Whether it has liquid of a file: single particles, or those of a snapshot. */
+bool sph2d__liquid_is_from_file(const sph2d_scene *scene);
+
 /** The largest speed of a start, without the velocity that it is added to [m/s]: as given, or of its values. */
 double sph2d__start_speed(const sph2d_start *start);
 

@@ -9,7 +9,7 @@
 #include "base/pi.h"
 #include "scene/bodies.h"
 #include "scene/shape.h"
-#include "scene/wall_names.h"
+#include "scene/world.h"
 #include "sim/simulation.h"
 
 /* ---- creation ---------------------------------------------------------------------------------------------------- */
@@ -21,13 +21,13 @@ static double free_of(sph2d_switch held)
 
 static void start_body(sph2d_sim *sim, size_t k, sph2d__rigid *r)
 {
-    const sph2d_body *body = &sim->scene.bodies[k];
-    size_t index = sph2d__obstacles_without_bodies(&sim->scene) + k;
+    const sph2d_body *body = &sim->world.scene.bodies[k];
+    const size_t wall = sim->world.first_body + k;
     sph2d__mass_data m = sph2d__body_mass(body);
     *r = (sph2d__rigid){.body = body,
-                        .wall = SPH2D__WALL_OBSTACLE + (int)index,
-                        .first_id = sim->obstacle_ids[index].first,
-                        .end_id = sim->obstacle_ids[index].end,
+                        .wall = (int)wall,
+                        .first_id = sim->wall_ids[wall].first,
+                        .end_id = sim->wall_ids[wall].end,
                         .mass = m.mass,
                         .inertia = m.inertia,
                         .center = m.center,
@@ -51,19 +51,19 @@ static void tie_outlines(sph2d_sim *sim)
 sph2d_status sph2d__bodies_create(sph2d_sim *sim)
 {
     sph2d__bodies *all = &sim->bodies;
-    size_t count = sim->scene.body_count, walls = sim->system.walls.count;
+    size_t count = sim->world.scene.body_count, walls = sim->system.walls.count;
     if (count == 0)
         return SPH2D_OK;
-    size_t first = sph2d__obstacles_without_bodies(&sim->scene);
-    all->first = sim->obstacle_ids[first].first;
-    all->end = sim->obstacle_ids[first + count - 1].end;
+    const size_t first = sim->world.first_body;
+    all->first = sim->wall_ids[first].first;
+    all->end = sim->wall_ids[first + count - 1].end;
     size_t own = (size_t)(all->end - all->first) + 1;
     sph2d__arena *arena = &sim->arena;
     all->items = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->items);
     all->states = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->states);
     all->strikes = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->strikes);
     all->contacts = sph2d__arena_alloc(arena, &sim->memory, count, sizeof *all->contacts);
-    all->wall_count = SPH2D__WALL_OBSTACLE + first;
+    all->wall_count = first;
     all->wall_work = sph2d__arena_alloc(arena, &sim->memory, all->wall_count, sizeof *all->wall_work);
     all->forces = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *all->forces);
     uint32_t *index = sph2d__arena_alloc(arena, &sim->memory, own, sizeof *index);

@@ -48,8 +48,8 @@ static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
 {
     sph2d__forces *forces = &sim->system.forces;
     size_t count = 0;
-    for (size_t i = 0; i < sim->scene.interaction_count; ++i) {
-        const sph2d_interaction *force = &sim->scene.interactions[i];
+    for (size_t i = 0; i < sim->world.scene.interaction_count; ++i) {
+        const sph2d_interaction *force = &sim->world.scene.interactions[i];
         sph2d_vec2 at;
         if (on_path(&force->path, time, &at))
             sim->points[count++] = (sph2d__point_force){at.x, at.y, force->radius, force->acceleration};
@@ -60,7 +60,7 @@ static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
     forces->points = (sph2d__points){sim->points, count};
     forces->gravity.x = by->gravity_x;
     forces->gravity.y = by->gravity_y;
-    forces->frame = sph2d__frame_at(&sim->scene, &sim->tank, time);
+    forces->frame = sph2d__frame_at(&sim->world.scene, &sim->tank, time);
 }
 
 static sph2d__steering steering_of(const sph2d__record *r)

@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 #include "scene/shape.h"
-#include "scene/wall_names.h"
+#include "scene/world.h"
 #include "sim/simulation.h"
 
 /* Distances in spacings. A piece has liquid in front of it within NEAR, and none if there is none within FAR: the first
@@ -58,14 +58,14 @@ static size_t cut_outline(const sph2d_shape *outline, double spacing, sph2d__gap
 sph2d_status sph2d__gaps_create(sph2d_sim *sim)
 {
     sph2d__gaps *g = &sim->bodies.gaps;
-    size_t bodies = sim->scene.body_count, count = 0;
+    size_t bodies = sim->world.scene.body_count, count = 0;
     double spacing = sim->system.spacing;
     g->first = sph2d__arena_alloc(&sim->arena, &sim->memory, bodies + 1, sizeof *g->first);
     if (!g->first)
         return SPH2D_NOMEM;
     for (size_t k = 0; k < bodies; ++k) {
         g->first[k] = count;
-        count += cut_outline(&sim->scene.bodies[k].shape, spacing, NULL);
+        count += cut_outline(&sim->world.scene.bodies[k].shape, spacing, NULL);
     }
     g->first[bodies] = count;
     g->pieces = sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *g->pieces);
@@ -73,7 +73,7 @@ sph2d_status sph2d__gaps_create(sph2d_sim *sim)
     if (!g->pieces || !g->fronts)
         return SPH2D_NOMEM;
     for (size_t k = 0; k < bodies; ++k)
-        cut_outline(&sim->scene.bodies[k].shape, spacing, g->pieces + g->first[k]);
+        cut_outline(&sim->world.scene.bodies[k].shape, spacing, g->pieces + g->first[k]);
     return SPH2D_OK;
 }
 
@@ -101,13 +101,13 @@ static sph2d_vec2 wrapped(const sph2d__period *p, sph2d_vec2 at)
 }
 
 /** The distance along a piece's normal to the nearest side of the domain that is a wall, also without particles. */
-static double distance_of_sides(const sph2d_scene *scene, sph2d_vec2 at, sph2d_vec2 normal)
+static double distance_of_sides(const sph2d__world *world, sph2d_vec2 at, sph2d_vec2 normal)
 {
     const double out[SPH2D__WALL_OBSTACLE] = {-normal.x, normal.x, -normal.y, normal.y};
     double length = hypot(normal.x, normal.y), nearest = INFINITY;
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (sph2d__side_of(scene, side) == SPH2D_SIDE_WALL && out[side] > FACING * length)
-            nearest = fmin(nearest, sph2d__side_distance(scene, side, at) * length / out[side]);
+        if (sph2d__side_of(&world->scene, side) == SPH2D_SIDE_WALL && out[side] > FACING * length)
+            nearest = fmin(nearest, sph2d__side_distance(&world->box, side, at) * length / out[side]);
     return nearest;
 }
 
@@ -118,7 +118,7 @@ static double find_wall(const sph2d_sim *sim, const sph2d__rigid *r, sph2d__gap_
     const sph2d__store *w = &s->walls;
     sph2d__ranges ranges;
     sph2d_vec2 at = wrapped(&s->wall_cells.period, front->at);
-    double length = hypot(normal.x, normal.y), nearest = distance_of_sides(&sim->scene, at, normal) / s->spacing;
+    double length = hypot(normal.x, normal.y), nearest = distance_of_sides(&sim->world, at, normal) / s->spacing;
     front->beside = UINT64_MAX;
     if (!ranges_at(&s->wall_cells, at, &ranges))
         return nearest;

@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "methods/terms/tension.h"
-#include "scene/wall_names.h"
+#include "scene/world.h"
 #include "sim/simulation.h"
 
 /* ---- which wall -------------------------------------------------------------------------------------------------- */
@@ -24,11 +24,12 @@ static bool matches(int wanted, int wall)
 
 /** Sets the walls of a boundary particle of the domain's sides: by which side it lies outside, and in corners one for
  *  each direction. */
-static void set_sides(const sph2d_scene *scene, double x, double y, int walls[2])
+static void set_sides(const sph2d__world *world, double x, double y, int walls[2])
 {
     int beyond[2] = {SPH2D__WALL_ALL, SPH2D__WALL_ALL};
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (sph2d__side_distance(scene, side, (sph2d_vec2){x, y}) < 0 && sph2d__side_of(scene, side) == SPH2D_SIDE_WALL)
+        if (sph2d__side_distance(&world->box, side, (sph2d_vec2){x, y}) < 0 &&
+            sph2d__side_of(&world->scene, side) == SPH2D_SIDE_WALL)
             beyond[side / 2] = side;
     walls[0] = beyond[0] != SPH2D__WALL_ALL ? beyond[0] : beyond[1];
     walls[1] = beyond[1] != SPH2D__WALL_ALL ? beyond[1] : beyond[0];
@@ -39,10 +40,10 @@ static void set_walls(sph2d_sim *sim)
     const sph2d__store *w = &sim->system.walls;
     int(*walls)[2] = sim->loads.walls;
     for (size_t b = 0; b < w->count; ++b)
-        set_sides(&sim->scene, w->start_x[b], w->start_y[b], walls[w->id[b]]);
-    for (size_t k = 0; k < sim->scene.obstacle_count; ++k)
-        for (uint64_t id = sim->obstacle_ids[k].first; id < sim->obstacle_ids[k].end; ++id)
-            walls[id][0] = walls[id][1] = SPH2D__WALL_OBSTACLE + (int)k;
+        set_sides(&sim->world, w->start_x[b], w->start_y[b], walls[w->id[b]]);
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k)
+        for (uint64_t id = sim->wall_ids[k].first; id < sim->wall_ids[k].end; ++id)
+            walls[id][0] = walls[id][1] = (int)k;
 }
 
 static const sph2d__moving *moving_of(const sph2d_sim *sim, int wall)
@@ -55,7 +56,7 @@ static const sph2d__moving *moving_of(const sph2d_sim *sim, int wall)
 
 sph2d_status sph2d__loads_create(sph2d_sim *sim)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     sph2d__loads *l = &sim->loads;
     size_t count = 0, walls = sim->system.walls.count;
     for (size_t i = 0; i < scene->probe_count; ++i)
@@ -75,7 +76,7 @@ sph2d_status sph2d__loads_create(sph2d_sim *sim)
         const sph2d_probe *probe = &scene->probes[i];
         if (!is_wanted(probe))
             continue;
-        int wall = probe->on ? sph2d__wall_named(scene, probe->on) : SPH2D__WALL_ALL;
+        int wall = probe->on ? sph2d__wall_named(&sim->world, probe->on) : SPH2D__WALL_ALL;
         l->of_probe[i] = l->count;
         l->items[l->count++] = (sph2d__load){.wall = wall, .about = probe->at, .moving = moving_of(sim, wall)};
     }
@@ -264,7 +265,7 @@ static const double QUANTA = 4e10, MAX_QUANTA = 1e15;
 /** The quanta of impulses [kg/s], their moments [kg m/s], and work [J/m]. */
 static sph2d__pull quanta(const sph2d_sim *sim, double *work)
 {
-    sph2d_box d = sim->scene.domain;
+    sph2d_box d = sim->world.box;
     double speed = sim->system.head > 0 ? sqrt(2 * sim->system.head) : 1, momentum = sim->system.mass * speed / QUANTA;
     *work = momentum * speed;
     return (sph2d__pull){momentum, momentum, momentum * hypot(d.max.x - d.min.x, d.max.y - d.min.y)};
@@ -370,6 +371,6 @@ void sph2d__loads_close(sph2d_sim *sim, double dt)
 
 void sph2d__loads_sampled(sph2d_sim *sim, size_t probe)
 {
-    if (sim->loads.count > 0 && is_wanted(&sim->scene.probes[probe]))
+    if (sim->loads.count > 0 && is_wanted(&sim->world.scene.probes[probe]))
         sim->loads.states[sim->loads.of_probe[probe]].impulse = (sph2d__pull){0, 0, 0};
 }

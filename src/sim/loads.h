@@ -40,7 +40,7 @@ enum { SPH2D__LOAD_VALUES = sizeof(sph2d__load_state) / sizeof(double) };
 
 /** A wall whose load is wanted. */
 typedef struct sph2d__load {
-    int wall;                              /**< scene/wall_names.h */
+    int wall;                              /**< scene/world.h */
     sph2d_vec2 about;                      /**< the point of torques, where the wall starts [m] */
     const sph2d__moving *moving;           /**< NULL: at rest */
     sph2d__load_state before;              /**< at the start of the present step */

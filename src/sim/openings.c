@@ -12,7 +12,7 @@
 
 void sph2d__opening_set_line(const sph2d_sim *sim, sph2d__opening *o, double beyond)
 {
-    sph2d__mouth m = sph2d__opening_mouth(&sim->given, o->given);
+    sph2d__mouth m = sph2d__opening_mouth(&sim->world.scene, o->given);
     o->middle = (sph2d_vec2){m.start.x + m.width / 2 * m.along.x, m.start.y + m.width / 2 * m.along.y};
     m.start = (sph2d_vec2){m.start.x - beyond * m.inward.x, m.start.y - beyond * m.inward.y};
     o->mouth = m;
@@ -20,7 +20,7 @@ void sph2d__opening_set_line(const sph2d_sim *sim, sph2d__opening *o, double bey
 
 static bool make_lanes(sph2d_sim *sim, sph2d__opening *o)
 {
-    double dx = sim->scene.spacing;
+    double dx = sim->world.scene.spacing;
     o->kind = sph2d__opening_kind_of(o->given);
     o->has_velocity = sph2d__opening_has_velocity(o->given);
     o->has_surface = sph2d__opening_has_surface(o->given);
@@ -29,7 +29,7 @@ static bool make_lanes(sph2d_sim *sim, sph2d__opening *o)
     o->lane_count = (size_t)fmax(floor(o->mouth.width / dx + 0.5), 1);
     o->lane_width = o->mouth.width / (double)o->lane_count;
     o->stride = dx * dx / o->lane_width;
-    o->depth = (double)sph2d__reservoir_rows(&sim->given) * dx;
+    o->depth = (double)sph2d__reservoir_rows(&sim->world.scene) * dx;
     o->lanes = sph2d__arena_alloc(&sim->arena, &sim->memory, o->lane_count, sizeof *o->lanes);
     o->outermost = sph2d__arena_alloc(&sim->arena, &sim->memory, o->lane_count, sizeof *o->outermost);
     return o->lanes && o->outermost;
@@ -38,7 +38,7 @@ static bool make_lanes(sph2d_sim *sim, sph2d__opening *o)
 sph2d_status sph2d__openings_create(sph2d_sim *sim)
 {
     sph2d__openings *all = &sim->openings;
-    size_t count = sim->given.opening_count;
+    size_t count = sim->world.scene.opening_count;
     if (count == 0)
         return SPH2D_OK;
     all->items = sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *all->items);
@@ -48,7 +48,7 @@ sph2d_status sph2d__openings_create(sph2d_sim *sim)
     if (!all->means)
         return SPH2D_NOMEM;
     for (size_t k = 0; k < count; ++k) {
-        all->items[k].given = &sim->given.openings[k];
+        all->items[k].given = &sim->world.scene.openings[k];
         all->items[k].means = &all->means[k];
         if (!make_lanes(sim, &all->items[k]))
             return SPH2D_NOMEM;
@@ -86,7 +86,7 @@ double sph2d__opening_particles(const sph2d_sim *sim, const sph2d__opening *o)
 void sph2d__opening_read(const sph2d_sim *sim, size_t index, double values[SPH2D__OPENING_READINGS])
 {
     const sph2d__opening *o = &sim->openings.items[index];
-    double area = sim->scene.spacing * sim->scene.spacing;
+    double area = sim->world.scene.spacing * sim->world.scene.spacing;
     sph2d__openings_measure(sim);
     double wet = o->has_surface ? o->now.depth : (double)o->wet_lanes * o->lane_width;
     double kept = sph2d__opening_particles(sim, o) - o->means->first;

@@ -36,9 +36,9 @@ static size_t lane_at(const sph2d__opening *o, double along)
 /** Whether a lane is full at the start: not where liquid will leave but none is before it. */
 static bool is_full(const sph2d_sim *sim, const sph2d__opening *o, size_t k)
 {
-    double value = sph2d__opening_value(&sim->given, o->given, 0);
+    double value = sph2d__opening_value(&sim->world.scene, o->given, 0);
     if (value == 0)
-        value = sph2d__opening_value(&sim->given, o->given, INFINITY);
+        value = sph2d__opening_value(&sim->world.scene, o->given, INFINITY);
     bool leaves = o->has_velocity && value < 0;
     return is_fed(o, k) && (!leaves || o->lanes[k].wet);
 }

@@ -47,7 +47,7 @@ static void add_particle(const sph2d_sim *sim, const sph2d__opening *o, size_t i
                          size_t count, lane_sums *sums)
 {
     const sph2d__store *f = &sim->system.fluid;
-    double dx = sim->scene.spacing, s = -at.beyond, near = hat(s / (VALUES * dx)), wide = hat(s / (SLOPES * dx));
+    double dx = sim->world.scene.spacing, s = -at.beyond, near = hat(s / (VALUES * dx)), wide = hat(s / (SLOPES * dx));
     double p = sph2d__pressure_of(&sim->system, f->density[i]) - sph2d__rest_pressure(sim, o, f->x[i], f->y[i]);
     double values[3] = {p, f->vx[i] * o->mouth.inward.x + f->vy[i] * o->mouth.inward.y,
                         f->vx[i] * o->mouth.along.x + f->vy[i] * o->mouth.along.y};
@@ -87,7 +87,7 @@ static const double WET = 0.5;
 static void set_lane(const sph2d_sim *sim, const sph2d__opening *o, size_t k, const lane_sums *sum)
 {
     sph2d__lane *lane = &o->lanes[k];
-    double dx = sim->scene.spacing, means[] = {sum->wide_s / sum->wide, sum->p / sum->wide};
+    double dx = sim->world.scene.spacing, means[] = {sum->wide_s / sum->wide, sum->p / sum->wide};
     double spread = sum->ss / sum->wide - means[0] * means[0];
     lane->wet = sum->weight > WET;
     if (!lane->wet) {
@@ -107,7 +107,7 @@ static void measure_lanes(const sph2d_sim *sim, sph2d__opening *o, size_t first,
     const sph2d__store *f = &sim->system.fluid;
     lane_sums sums[LANES_AT_ONCE];
     memset(sums, 0, count * sizeof *sums);
-    double reach = SLOPES * sim->scene.spacing;
+    double reach = SLOPES * sim->world.scene.spacing;
     for (size_t i = 0; i < f->count; ++i) {
         sph2d__spot at = sph2d__spot_of(o, f->x[i], f->y[i]);
         if (at.beyond <= 0 && at.beyond > -reach)
@@ -151,7 +151,7 @@ static const place NEAR = {2, 2}, INSIDE = {8, 4};
 static double depth_at(const sph2d_sim *sim, const sph2d__opening *o, place where, double *velocity)
 {
     const sph2d__store *f = &sim->system.fluid;
-    double dx = sim->scene.spacing, weights = 0, flow = 0;
+    double dx = sim->world.scene.spacing, weights = 0, flow = 0;
     for (size_t i = 0; i < f->count; ++i) {
         sph2d__spot at = sph2d__spot_of(o, f->x[i], f->y[i]);
         bool beside = at.along < -o->lane_width || at.along > o->mouth.width + o->lane_width;
@@ -174,12 +174,12 @@ static double outgoing(const sph2d__opening *o, double value, double g, double h
  *  before the line itself any depth that is fed would stay. Of a stream that leaves it is what comes. */
 static double entering_depth(const sph2d_sim *sim, const sph2d__opening *o)
 {
-    double value = sph2d__opening_value(&sim->given, o->given, sim->record.time), u;
+    double value = sph2d__opening_value(&sim->world.scene, o->given, sim->record.time), u;
     double inside = depth_at(sim, o, INSIDE, &u), g = hypot(sim->record.gravity_x, sim->record.gravity_y);
     if (!(g > 0) || !(value > 0) || inside <= 0)
         return inside;
     double wanted = u - 2 * sqrt(g * inside);
-    double low = sph2d__opening_critical_depth(&sim->given, o->given, sim->record.time), high = o->mouth.width;
+    double low = sph2d__opening_critical_depth(&sim->world.scene, o->given, sim->record.time), high = o->mouth.width;
     for (int k = 0; k < 40; ++k) { /* it falls with h */
         double h = (low + high) / 2;
         *(outgoing(o, value, g, h) > wanted ? &low : &high) = h;
@@ -202,14 +202,14 @@ static double fed_depth(const sph2d_sim *sim, const sph2d__opening *o, double le
     if (o->kind == SPH2D__OPENING_LEVEL)
         return o->mouth.along.y > 0 ? fmin(fmax(level - o->mouth.start.y, 0), o->mouth.width) : o->mouth.width;
     double depth = o->means->age > 0 ? o->means->depth : o->entering;
-    return fmax(depth, sph2d__opening_critical_depth(&sim->given, o->given, sim->record.time));
+    return fmax(depth, sph2d__opening_critical_depth(&sim->world.scene, o->given, sim->record.time));
 }
 
 /** Sets what is prescribed now, and how many lanes are fed. Outside, liquid is at rest: what flows in has lost the
  *  pressure rho0 <u>^2/2, or the height <u>^2/(2 g), by Bernoulli's law. */
 static void set_value(const sph2d_sim *sim, sph2d__opening *o)
 {
-    double value = sph2d__opening_value(&sim->given, o->given, sim->record.time);
+    double value = sph2d__opening_value(&sim->world.scene, o->given, sim->record.time);
     double inflow = o->means->age > 0 ? fmax(o->means->velocity, 0) : 0;
     double g = hypot(sim->record.gravity_x, sim->record.gravity_y);
     if (o->kind == SPH2D__OPENING_LEVEL && g > 0) /* a program may take gravity away */
@@ -250,7 +250,7 @@ static double new_part(double dt, double age, double most)
 
 void sph2d__openings_average(const sph2d_sim *sim, double dt)
 {
-    sph2d_box d = sim->given.domain;
+    sph2d_box d = sim->world.scene.domain;
     double period = 2 * hypot(d.max.x - d.min.x, d.max.y - d.min.y) / sim->system.sound_speed;
     for (size_t k = 0; k < sim->openings.count; ++k) {
         const sph2d__opening *o = &sim->openings.items[k];

@@ -46,7 +46,7 @@ static void lane_values(const sph2d_sim *sim, const sph2d__opening *o, size_t k,
     const sph2d__lane *lane = &o->lanes[k];
     double impedance = sim->system.rest_density * sim->system.sound_speed;
     /* Over steps that do not resolve sound there is none: what answers to it a step later makes more of it. */
-    bool known = o->means->age > 0 && sim->scene.method.name != SPH2D_METHOD_CONSTRAINT;
+    bool known = o->means->age > 0 && sim->world.scene.method.name != SPH2D_METHOD_CONSTRAINT;
     if (!o->has_velocity) {
         double sound = known ? -impedance * (o->now.velocity - o->means->velocity) : 0;
         double pressure = o->value + sound_part(o, k) * sound;

@@ -6,7 +6,6 @@
 
 #include "scene/liquid_side.h"
 #include "scene/openings.h"
-#include "scene/resolve.h"
 #include "sim/simulation.h"
 
 /** Writes outlines one after the other, or only counts their corners. */
@@ -29,24 +28,15 @@ static void add(writer *w, sph2d_vec2 corner, sph2d_outline_liquid liquid)
 
 /* ---- sides ------------------------------------------------------------------------------------------------------- */
 
-static bool has_opening(const sph2d_scene *scene, sph2d_side_name side)
-{
-    for (size_t k = 0; k < scene->opening_count; ++k)
-        if (scene->openings[k].side == side)
-            return true;
-    return false;
-}
-
 /** Adds the sides that are walls, anticlockwise: the liquid is on their left. */
 static void add_sides(writer *w, const sph2d_scene *scene)
 {
     const sph2d_box *d = &scene->domain;
-    const sph2d_boundary *b = &scene->boundary;
     const sph2d_vec2 corners[4] = {d->min, {d->max.x, d->min.y}, d->max, {d->min.x, d->max.y}};
-    const bool walls[4] = {b->bottom == SPH2D_SIDE_WALL && !has_opening(scene, SPH2D_SIDE_NAME_BOTTOM),
-                           b->right == SPH2D_SIDE_WALL && !has_opening(scene, SPH2D_SIDE_NAME_RIGHT),
-                           b->top == SPH2D_SIDE_WALL && !has_opening(scene, SPH2D_SIDE_NAME_TOP),
-                           b->left == SPH2D_SIDE_WALL && !has_opening(scene, SPH2D_SIDE_NAME_LEFT)};
+    static const int around[4] = {SPH2D__WALL_BOTTOM, SPH2D__WALL_RIGHT, SPH2D__WALL_TOP, SPH2D__WALL_LEFT};
+    bool walls[4];
+    for (int k = 0; k < 4; ++k)
+        walls[k] = sph2d__side_of(scene, around[k]) == SPH2D_SIDE_WALL && !sph2d__side_has_opening(scene, around[k]);
     int first = 0; /* a side before which there is none */
     while (first < 4 && walls[(first + 3) % 4])
         ++first;
@@ -99,13 +89,12 @@ static double turning(const sph2d_shape *outline, double spacing)
     return sum;
 }
 
-static void add_obstacle(writer *w, const sph2d_scene *scene, const sph2d_obstacle *o)
+static void add_wall(writer *w, double dx, const sph2d__wall *o)
 {
-    double dx = scene->spacing;
-    bool layers = o->body || sph2d__obstacle_form(scene, o) == SPH2D_WALL_GENERALISED || sph2d__is_beside_opening(o);
+    bool layers = o->body || o->form == SPH2D_WALL_GENERALISED || o->kind == SPH2D__WALL_IS_BESIDE;
     if (!layers)
         add_corners(w, &o->shape, dx, false, SPH2D_OUTLINE_LIQUID_BOTH);
-    else if (sph2d__obstacle_is_hollow(o))
+    else if (sph2d__wall_is_hollow(o))
         add_corners(w, &o->shape, dx, turning(&o->shape, dx) < 0, SPH2D_OUTLINE_LIQUID_LEFT);
     else if (sph2d__shape_is_open(&o->shape))
         add_corners(w, &o->shape, dx, o->liquid == SPH2D_LIQUID_RIGHT, SPH2D_OUTLINE_LIQUID_LEFT);
@@ -118,10 +107,10 @@ static void add_obstacle(writer *w, const sph2d_scene *scene, const sph2d_obstac
 static size_t write(const sph2d_sim *sim, sph2d__outlines *to)
 {
     writer w = {.to = to};
-    add_sides(&w, &sim->given);
-    for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
-        w.wall = k;
-        add_obstacle(&w, &sim->scene, &sim->scene.obstacles[k]);
+    add_sides(&w, &sim->world.scene);
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k) {
+        w.wall = k - SPH2D__WALL_OBSTACLE;
+        add_wall(&w, sim->world.scene.spacing, &sim->world.walls[k]);
     }
     return w.count;
 }
@@ -157,7 +146,7 @@ void sph2d__outlines_move(sph2d_sim *sim)
             continue;
         if (all->wall[i] != wall) {
             wall = all->wall[i];
-            pose = sph2d__sim_pose_of(sim, &sim->scene.obstacles[wall]);
+            pose = sph2d__sim_pose_of(sim, &sim->world.walls[SPH2D__WALL_OBSTACLE + wall]);
         }
         sph2d_vec2 at = sph2d__pose_apply(&pose, all->start[i]);
         all->x[i] = at.x;

@@ -8,6 +8,7 @@
 #include "methods/common/method.h"
 #include "scene/motion.h"
 #include "scene/solids.h"
+#include "scene/world.h"
 #include "sim/bodies.h"
 #include "sim/loads.h"
 #include "sim/openings.h"
@@ -15,7 +16,7 @@
 #include "sim/record.h"
 #include "sph2d/state.h"
 
-/** The ids of an obstacle's boundary particles: `first` to `end` - 1. */
+/** The ids of a wall's boundary particles: `first` to `end` - 1. */
 typedef struct sph2d__ids {
     uint64_t first, end;
 } sph2d__ids;
@@ -29,8 +30,7 @@ typedef struct sph2d__steering {
 enum { SPH2D__STEERING_VALUES = sizeof(sph2d__steering) / sizeof(double) };
 
 struct sph2d_sim {
-    sph2d_scene scene; /**< a deep copy, in `arena`, with bodies after the obstacles (scene/bodies.h) */
-    sph2d_scene given; /**< the same without them: for callers */
+    sph2d__world world; /**< its lists are in `arena` */
     sph2d__arena arena;
     sph2d__memory memory;
     sph2d_plan plan;
@@ -40,9 +40,9 @@ struct sph2d_sim {
     int threads; /**< wanted; 0: those of OpenMP, or fewer */
     sph2d__barrier barrier;
     sph2d__course tank;    /**< of the domain: scene/frame.h */
-    sph2d__moving *moving; /**< capacity: every obstacle */
+    sph2d__moving *moving; /**< capacity: every wall */
     size_t moving_count;
-    sph2d__ids *obstacle_ids;                 /**< of each obstacle */
+    sph2d__ids *wall_ids;                     /**< of each wall */
     sph2d__loads loads;                       /**< forces on walls that probes measure */
     sph2d_vec2 momentum_before, force_before; /**< at the start of the step ... */
     bool momentum_watched;                    /**< ... whose momentum is balanced ... */
@@ -105,8 +105,8 @@ double sph2d__sim_energy_quantum(const sph2d_sim *sim);
 enum { SPH2D__WHERE_SIZE = 160 };
 const char *sph2d__sim_where(const sph2d_sim *sim, sph2d_vec2 place, char text[SPH2D__WHERE_SIZE]);
 
-/** The pose of an obstacle of the scene at the end of the last step. */
-sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle);
+/** The pose of a wall at the end of the last step. */
+sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d__wall *wall);
 /** Whether the straight line between two positions crosses a wall in its present position. */
 bool sph2d__sim_crosses_wall(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 to);
 

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "scene/bodies.h"
 #include "scene/shape.h"
 #include "sim/simulation.h"
 
@@ -22,10 +21,10 @@ static void update_nearest(nearest *n, double distance, const char *list, size_t
     snprintf(n->name, sizeof n->name, "%s[%zu]", list, index);
 }
 
-sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
+sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d__wall *wall)
 {
     for (size_t k = 0; k < sim->moving_count; ++k)
-        if (sim->moving[k].obstacle == obstacle)
+        if (sim->moving[k].drawn == wall)
             return sim->moving[k].to;
     return (sph2d__pose){.cosine = 1};
 }
@@ -38,14 +37,14 @@ bool sph2d__sim_crosses_wall(const sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 t
     return crossed;
 }
 
-static double distance_to(const sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d_vec2 p)
+static double distance_to(const sph2d_sim *sim, const sph2d__wall *wall, sph2d_vec2 p)
 {
     double least = INFINITY;
-    sph2d__pose pose = sph2d__sim_pose_of(sim, obstacle);
+    sph2d__pose pose = sph2d__sim_pose_of(sim, wall);
     sph2d_vec2 q = sph2d__pose_invert(&pose, p);
-    size_t pieces = sph2d__shape_pieces(&obstacle->shape, sim->scene.spacing);
+    size_t pieces = sph2d__shape_pieces(&wall->shape, sim->world.scene.spacing);
     for (size_t k = 0; k < pieces; ++k) {
-        sph2d__segment piece = sph2d__shape_piece(&obstacle->shape, sim->scene.spacing, k);
+        sph2d__segment piece = sph2d__shape_piece(&wall->shape, sim->world.scene.spacing, k);
         least = fmin(least, sph2d__segment_distance(&piece, q));
     }
     return least;
@@ -53,18 +52,17 @@ static double distance_to(const sph2d_sim *sim, const sph2d_obstacle *obstacle, 
 
 static void update_nearest_wall(nearest *n, const sph2d_sim *sim, size_t k, sph2d_vec2 p)
 {
-    double distance = distance_to(sim, &sim->scene.obstacles[k], p);
+    double distance = distance_to(sim, &sim->world.walls[k], p);
     if (!(distance < n->distance))
         return;
     n->distance = distance;
-    sph2d__obstacle_path(n->name, sizeof n->name, &sim->scene, k, "");
+    sph2d__wall_path(n->name, sizeof n->name, &sim->world.walls[k], "");
 }
 
 static nearest nearest_wall(const sph2d_sim *sim, sph2d_vec2 p)
 {
-    const sph2d_scene *scene = &sim->scene;
-    const sph2d_box d = scene->domain;
-    const sph2d_boundary b = scene->boundary;
+    const sph2d_box d = sim->world.box;
+    const sph2d_boundary b = sim->world.scene.boundary;
     const struct {
         sph2d_side kind;
         double distance;
@@ -79,7 +77,7 @@ static nearest nearest_wall(const sph2d_sim *sim, sph2d_vec2 p)
             n.distance = fabs(sides[k].distance);
             snprintf(n.name, sizeof n.name, "the %s", sides[k].name);
         }
-    for (size_t k = 0; k < scene->obstacle_count; ++k)
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k)
         update_nearest_wall(&n, sim, k, p);
     return n;
 }
@@ -87,7 +85,7 @@ static nearest nearest_wall(const sph2d_sim *sim, sph2d_vec2 p)
 /** The block or source that was nearest to a position at the start. */
 static nearest nearest_liquid(const sph2d_sim *sim, sph2d_vec2 p)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     nearest n = {"", INFINITY};
     for (size_t k = 0; k < scene->block_count; ++k) {
         sph2d_box b = sph2d__shape_bounds(&scene->blocks[k].shape);
@@ -103,10 +101,10 @@ const char *sph2d__sim_where(const sph2d_sim *sim, sph2d_vec2 p, char text[SPH2D
 {
     nearest wall = nearest_wall(sim, p), liquid = nearest_liquid(sim, p);
     if (wall.distance < INFINITY && liquid.distance < INFINITY)
-        snprintf(text, SPH2D__WHERE_SIZE, "%.2g spacings from %s, nearest to %s", wall.distance / sim->scene.spacing,
-                 wall.name, liquid.name);
+        snprintf(text, SPH2D__WHERE_SIZE, "%.2g spacings from %s, nearest to %s",
+                 wall.distance / sim->world.scene.spacing, wall.name, liquid.name);
     else if (wall.distance < INFINITY)
-        snprintf(text, SPH2D__WHERE_SIZE, "%.2g spacings from %s", wall.distance / sim->scene.spacing, wall.name);
+        snprintf(text, SPH2D__WHERE_SIZE, "%.2g spacings from %s", wall.distance / sim->world.scene.spacing, wall.name);
     else if (liquid.distance < INFINITY)
         snprintf(text, SPH2D__WHERE_SIZE, "nearest to %s", liquid.name);
     else

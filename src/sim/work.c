@@ -21,7 +21,6 @@
 #include <math.h>
 
 #include "methods/common/state_equation.h"
-#include "scene/resolve.h"
 #include "sim/simulation.h"
 
 /* Most and fewest steps between samples of friction and diffusion, each of which costs the sums of another step. Between
@@ -48,13 +47,13 @@ bool sph2d__sim_error_is_known(const sph2d_sim *sim)
 {
     bool sticks = false;
     for (size_t k = 0; k < sim->moving_count && !sticks; ++k)
-        sticks = sph2d__obstacle_slip(&sim->scene, sim->moving[k].obstacle) != SPH2D_SLIP_FREE;
+        sticks = sim->moving[k].drawn->slip != SPH2D_SLIP_FREE;
     return sim->moving_count == 0 || sim->method->wall_force || (sim->method->books_walls && !sticks);
 }
 
 bool sph2d__sim_rise_is_known(const sph2d_sim *sim)
 {
-    const sph2d_side_speeds *v = &sim->scene.wall_speeds;
+    const sph2d_side_speeds *v = &sim->world.scene.wall_speeds;
     bool slide = v->left != 0 || v->right != 0 || v->bottom != 0 || v->top != 0;
     return sim->method->wall_force || (sph2d__sim_error_is_known(sim) && !slide);
 }

@@ -34,7 +34,7 @@ static double kernel(double q)
 /** Adds image (i, j) of all particles, or only counts: those within `reach` of the domain. */
 static void add_images(sph2d__cloud *cloud, const sph2d_sim *sim, int i, int j, double reach)
 {
-    const sph2d_box *d = &sim->scene.domain;
+    const sph2d_box *d = &sim->world.box;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     for (size_t k = 0; k < cloud->given->count; ++k) {
         const sph2d_cloud_point *s = &cloud->given->items[k];
@@ -65,7 +65,7 @@ static void add_all(sph2d__cloud *cloud, const sph2d_sim *sim, double reach)
 
 bool sph2d__cloud_make(sph2d__cloud *cloud, const sph2d_cloud *given, sph2d_sim *sim)
 {
-    *cloud = (sph2d__cloud){.given = given, .spacing = fmax(given->spacing, sim->scene.spacing)};
+    *cloud = (sph2d__cloud){.given = given, .spacing = fmax(given->spacing, sim->world.scene.spacing)};
     double reach = VALUE_REACH * cloud->spacing;
     add_all(cloud, sim, reach);
     if (given->count >= UINT32_MAX || cloud->count >= UINT32_MAX)

@@ -12,13 +12,13 @@ static const double MIN_DISTANCE = 0.6;
 
 int sph2d__layer_count(const sph2d_sim *sim)
 {
-    return (int)ceil(sim->system.support / sim->scene.spacing - 1e-9);
+    return (int)ceil(sim->system.support / sim->world.scene.spacing - 1e-9);
 }
 
 bool sph2d__layers_find_earlier(sph2d_sim *sim, sph2d__near *earlier)
 {
     const sph2d__store *w = &sim->system.walls;
-    double dx = sim->scene.spacing, half = sim->system.rest_density * dx * dx / 2;
+    double dx = sim->world.scene.spacing, half = sim->system.rest_density * dx * dx / 2;
     double *x = sph2d__alloc(&sim->memory, w->count + 1, sizeof *x);
     double *y = sph2d__alloc(&sim->memory, w->count + 1, sizeof *y);
     size_t count = 0;

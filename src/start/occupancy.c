@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "scene/liquid_side.h"
-#include "scene/resolve.h"
 #include "start/start.h"
 
 /* Clearance of the liquid from an obstacle's surface [spacings]. Layers of boundary particles begin half a spacing
@@ -44,14 +43,14 @@ static bool is_near(const sph2d_shape *outline, double spacing, double distance,
     return false;
 }
 
-static sph2d__occupancy occupancy_by(const sph2d_sim *sim, const sph2d_obstacle *obstacle, double factor, sph2d_vec2 p)
+static sph2d__occupancy occupancy_by(const sph2d_sim *sim, const sph2d__wall *wall, double factor, sph2d_vec2 p)
 {
-    bool layers = sph2d__obstacle_form(&sim->scene, obstacle) == SPH2D_WALL_GENERALISED;
-    bool inset = layers || sph2d__has_inset_row(&sim->scene, obstacle);
-    double distance = factor * (inset ? CLEARANCE_OF_LAYERS : CLEARANCE) * sim->scene.spacing;
-    if (sph2d__obstacle_fills(&sim->scene, obstacle, p))
+    bool layers = wall->form == SPH2D_WALL_GENERALISED;
+    bool inset = layers || sph2d__has_inset_row(wall);
+    double distance = factor * (inset ? CLEARANCE_OF_LAYERS : CLEARANCE) * sim->world.scene.spacing;
+    if (sph2d__wall_fills(&sim->world.scene, wall, p))
         return layers ? SPH2D__ENCLOSED : SPH2D__NEAR_LINE;
-    if (!is_near(&obstacle->shape, sim->scene.spacing, distance, p))
+    if (!is_near(&wall->shape, sim->world.scene.spacing, distance, p))
         return SPH2D__FREE;
     return layers ? SPH2D__NEAR_LAYERS : SPH2D__NEAR_LINE;
 }
@@ -66,7 +65,7 @@ sph2d__occupancy sph2d__sim_occupancy(const sph2d_sim *sim, sph2d_vec2 p, double
             sph2d_vec2 image = {p.x + image_x * period->length_x, p.y + image_y * period->length_y};
             sph2d__solid_list near = sph2d__solids_near(&sim->solids, image);
             for (size_t k = 0; k < near.count; ++k) {
-                sph2d__occupancy other = occupancy_by(sim, &sim->scene.obstacles[near.obstacle[k]], factor, image);
+                sph2d__occupancy other = occupancy_by(sim, &sim->world.walls[near.wall[k]], factor, image);
                 occupancy = other > occupancy ? other : occupancy;
             }
         }

@@ -33,7 +33,7 @@ static bool is_covered(const sph2d_sim *sim, sph2d_vec2 at, double distance, boo
     sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         sph2d_vec2 image = {at.x + ranges.x[r], at.y + ranges.y[r]}, wall = {w->x[j], w->y[j]};
-        if (has_area(w, j) && hypot(image.x - wall.x, image.y - wall.y) < distance * sim->scene.spacing &&
+        if (has_area(w, j) && hypot(image.x - wall.x, image.y - wall.y) < distance * sim->world.scene.spacing &&
             !(behind && sph2d__sim_crosses_wall(sim, image, wall)))
             return true;
     }

@@ -118,9 +118,9 @@ static double evaluate_gradients(sph2d__packing_state *p)
 /** Distance to the nearest side of the domain with a spring wall, which repels particles within half a spacing. */
 static double distance_to_springs(const sph2d_sim *sim, sph2d_vec2 at)
 {
-    const sph2d_boundary b = sim->scene.boundary;
-    const sph2d_box d = sim->scene.domain;
-    if (sim->scene.walls != SPH2D_WALL_SPRING)
+    const sph2d_boundary b = sim->world.scene.boundary;
+    const sph2d_box d = sim->world.box;
+    if (sim->world.scene.walls != SPH2D_WALL_SPRING)
         return INFINITY;
     double left = b.left == SPH2D_SIDE_WALL ? at.x - d.min.x : INFINITY;
     double right = b.right == SPH2D_SIDE_WALL ? d.max.x - at.x : INFINITY;

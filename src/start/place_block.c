@@ -28,7 +28,7 @@ typedef struct lattice {
 
 static double block_spacing(const sph2d_sim *sim, const sph2d_block *block)
 {
-    return block->spacing > 0 ? block->spacing : sim->scene.spacing;
+    return block->spacing > 0 ? block->spacing : sim->world.scene.spacing;
 }
 
 static lattice lattice_of(const sph2d_sim *sim, const sph2d_block *block)
@@ -87,8 +87,8 @@ static void add(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
     size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
     fluid->vx[i] = block->velocity.x;
     fluid->vy[i] = block->velocity.y;
-    double compression = pow(sim->scene.spacing / block_spacing(sim, block), 2);
-    fluid->density[i] = compression * sim->scene.fluid.density;
+    double compression = pow(sim->world.scene.spacing / block_spacing(sim, block), 2);
+    fluid->density[i] = compression * sim->world.scene.fluid.density;
 }
 
 /** Adds a particle of a block unless an obstacle occupies its position; the store has the capacity. */
@@ -156,7 +156,7 @@ static bool is_isolated(const sph2d_sim *sim, const placing *b)
     for (size_t i = b->first; i < f->count; ++i)
         if (sph2d__sim_occupancy(sim, (sph2d_vec2){f->x[i], f->y[i]}, 3) != SPH2D__FREE)
             return false;
-    sph2d_box d = sim->scene.domain, s = sph2d__shape_bounds(&b->block->shape);
+    sph2d_box d = sim->world.box, s = sph2d__shape_bounds(&b->block->shape);
     return s.min.x > d.min.x + b->spacing && s.max.x < d.max.x - b->spacing && s.min.y > d.min.y + b->spacing &&
            s.max.y < d.max.y - b->spacing;
 }
@@ -219,10 +219,10 @@ static bool place_shifted(sph2d_sim *sim, placing *b, const lattice *plain)
     return true;
 }
 
-static bool has_solid(const sph2d_scene *scene)
+static bool has_solid(const sph2d__world *world)
 {
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (!sph2d__shape_is_open(&scene->obstacles[i].shape))
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k)
+        if (!sph2d__shape_is_open(&world->walls[k].shape))
             return true;
     return false;
 }
@@ -293,9 +293,9 @@ static void add_to_plan(sph2d_sim *sim, const placing *b)
 static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
 {
     sph2d__region region = {0};
-    bool solids = has_solid(&sim->scene);
+    bool solids = has_solid(&sim->world);
     b->area = sph2d__shape_area(&b->block->shape);
-    double margin = ceil(sim->system.support / sim->scene.spacing) + 1;
+    double margin = ceil(sim->system.support / sim->world.scene.spacing) + 1;
     sph2d_vec2 corner = {l->first.x - b->spacing / 2, l->first.y - b->spacing / 2};
     bool ok = !solids || sph2d__region_make(&region, sim, &b->block->shape, corner, b->spacing, (int)margin);
     if (ok && solids)
@@ -317,7 +317,7 @@ static sph2d_status fill_area(sph2d_sim *sim, placing *b, const lattice *l)
 
 sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *report)
 {
-    const sph2d_block *block = &sim->scene.blocks[index];
+    const sph2d_block *block = &sim->world.scene.blocks[index];
     sph2d__store *fluid = &sim->system.fluid;
     placing b = {.block = block, .spacing = block_spacing(sim, block), .first = fluid->count, .index = index};
     lattice l = lattice_of(sim, block);

@@ -6,9 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "scene/bodies.h"
 #include "scene/liquid_side.h"
-#include "scene/resolve.h"
 #include "scene/shape.h"
 #include "start/start.h"
 
@@ -32,7 +30,7 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
 
 bool sph2d__sim_is_too_large(const sph2d_sim *sim, sph2d_report *report)
 {
-    return sph2d__sim_too_many(sim, sph2d_scene_particles(&sim->scene), "spacing", report);
+    return sph2d__sim_too_many(sim, sph2d_scene_particles(&sim->world.scene), "spacing", report);
 }
 
 /* Liquid begins half a spacing in front of a wall, the layers half a spacing behind, or less in thin solids and sharp
@@ -43,14 +41,15 @@ static const double MIN_DISTANCE = 0.6, MIN_GAP = 0.1;
 double sph2d__sim_clear_distance(const sph2d_sim *sim, size_t wall)
 {
     const double *depth = sim->system.walls.depth;
-    return fmin(MIN_DISTANCE * sim->scene.spacing, MIN_GAP * sim->scene.spacing + (depth ? depth[wall] : INFINITY));
+    return fmin(MIN_DISTANCE * sim->world.scene.spacing,
+                MIN_GAP * sim->world.scene.spacing + (depth ? depth[wall] : INFINITY));
 }
 
 /** The first block before block `index` that contains a position; `index` for none. */
 static size_t block_around(const sph2d_sim *sim, size_t index, sph2d_vec2 position)
 {
     size_t other = 0;
-    while (other < index && !sph2d__shape_contains(&sim->scene.blocks[other].shape, position))
+    while (other < index && !sph2d__shape_contains(&sim->world.scene.blocks[other].shape, position))
         ++other;
     return other;
 }
@@ -61,7 +60,7 @@ static size_t find_overlap(const sph2d_sim *sim, size_t index, size_t first, sph
     const sph2d__store *f = &sim->system.fluid;
     for (size_t i = 0; i < f->count; ++i) {
         *position = (sph2d_vec2){f->x[i], f->y[i]};
-        if (i < first && !sph2d__shape_contains(&sim->scene.blocks[index].shape, *position))
+        if (i < first && !sph2d__shape_contains(&sim->world.scene.blocks[index].shape, *position))
             continue;
         size_t other = block_around(sim, index, *position);
         if (other < index)
@@ -95,7 +94,7 @@ sph2d_status sph2d__sim_refuse_particle(size_t k, const char *what, sph2d_vec2 p
 sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sph2d_report *report)
 {
     const sph2d__store *f = &sim->system.fluid;
-    double tolerance = 1e-3 * sim->scene.spacing;
+    double tolerance = 1e-3 * sim->world.scene.spacing;
     for (size_t i = 0; i < f->count; ++i) {
         uint32_t cell = sph2d__cells_find(&sim->system.fluid_cells, f->x[i], f->y[i]);
         if (f->id[i] < first || cell == UINT32_MAX)
@@ -110,21 +109,20 @@ sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sp
     return SPH2D_OK;
 }
 
-/** The obstacle that a boundary particle belongs to; their count for a side of the domain. */
-static size_t obstacle_of(const sph2d_sim *sim, uint64_t wall_id)
+/** The wall that a boundary particle belongs to; their count for a side of the domain. */
+static size_t wall_of(const sph2d_sim *sim, uint64_t wall_id)
 {
-    size_t i = 0;
-    while (i < sim->scene.obstacle_count &&
-           (wall_id < sim->obstacle_ids[i].first || wall_id >= sim->obstacle_ids[i].end))
+    size_t i = SPH2D__WALL_OBSTACLE;
+    while (i < sim->world.wall_count && (wall_id < sim->wall_ids[i].first || wall_id >= sim->wall_ids[i].end))
         ++i;
     return i;
 }
 
-/** The obstacle in whose layers, or within MIN_DISTANCE spacings of them, a position lies; the count for none. */
+/** The wall in whose layers, or within MIN_DISTANCE spacings of them, a position lies; the count for none. */
 static size_t layers_around(const sph2d_sim *sim, sph2d_vec2 at)
 {
     const sph2d__store *w = &sim->system.walls;
-    size_t count = sim->scene.obstacle_count, found = count;
+    size_t count = sim->world.wall_count, found = count;
     uint32_t cell = w->count > 0 ? sph2d__cells_find(&sim->system.wall_cells, at.x, at.y) : UINT32_MAX;
     if (cell == UINT32_MAX)
         return count;
@@ -132,8 +130,8 @@ static size_t layers_around(const sph2d_sim *sim, sph2d_vec2 at)
     sph2d__cells_ranges(&sim->system.wall_cells, cell, &ranges);
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         double x = at.x + ranges.x[r] - w->x[j], y = at.y + ranges.y[r] - w->y[j];
-        size_t k = hypot(x, y) < sph2d__sim_clear_distance(sim, j) ? obstacle_of(sim, w->id[j]) : count;
-        if (k < found && sph2d__obstacle_form(&sim->scene, &sim->scene.obstacles[k]) == SPH2D_WALL_GENERALISED)
+        size_t k = hypot(x, y) < sph2d__sim_clear_distance(sim, j) ? wall_of(sim, w->id[j]) : count;
+        if (k < found && sim->world.walls[k].form == SPH2D_WALL_GENERALISED)
             found = k;
     }
     return found;
@@ -141,19 +139,19 @@ static size_t layers_around(const sph2d_sim *sim, sph2d_vec2 at)
 
 bool sph2d__sim_is_in_layers(const sph2d_sim *sim, sph2d_vec2 at)
 {
-    return layers_around(sim, at) < sim->scene.obstacle_count;
+    return layers_around(sim, at) < sim->world.wall_count;
 }
 
 /** "obstacles[2].line" */
 static void name_outline(const sph2d_sim *sim, size_t k, char path[64])
 {
-    sph2d__obstacle_path(path, 64, &sim->scene, k, sph2d__shape_key(sim->scene.obstacles[k].shape.kind));
+    sph2d__wall_path(path, 64, &sim->world.walls[k], sim->world.walls[k].key);
 }
 
-static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 at, size_t count, sph2d_report *report)
+static sph2d_status refuse_wall(const sph2d_sim *sim, size_t k, sph2d_vec2 at, size_t count, sph2d_report *report)
 {
-    const sph2d_obstacle *obstacle = &sim->scene.obstacles[k];
-    bool right = obstacle->liquid == SPH2D_LIQUID_RIGHT;
+    const sph2d__wall *wall = &sim->world.walls[k];
+    bool right = wall->liquid == SPH2D_LIQUID_RIGHT;
     const char *wet = right ? "right" : "left", *dry = right ? "left" : "right";
     char path[64];
     name_outline(sim, k, path);
@@ -162,31 +160,32 @@ static sph2d_status refuse_obstacle(const sph2d_sim *sim, size_t k, sph2d_vec2 a
         "%zu particles of the liquid lie in its layers of boundary particles, or less than %g spacings from them, near "
         "(%g, %g)",
         count, MIN_DISTANCE, at.x, at.y);
-    if (!sph2d__shape_is_open(&obstacle->shape))
+    if (!sph2d__shape_is_open(&wall->shape))
         sph2d_diagnostic_hint(d, "move the liquid or the obstacle; a solid with liquid around it must be %.3g m thick",
-                              sph2d__layer_thickness(&sim->scene));
+                              sph2d__layer_thickness(&sim->world.scene));
     else
         sph2d_diagnostic_hint(
             d,
             "its layers, %.3g m thick, are on the %s, seen from its first point towards its last: keep the liquid on "
             "the %s, try `liquid: %s` or `both`, or join lines that meet into one polyline or polygon",
-            sph2d__layer_thickness(&sim->scene), dry, wet, dry);
+            sph2d__layer_thickness(&sim->world.scene), dry, wet, dry);
     return SPH2D_SCENE;
 }
 
 sph2d_status sph2d__sim_check_layers(const sph2d_sim *sim, sph2d_report *report)
 {
     const sph2d__store *f = &sim->system.fluid;
-    size_t obstacles = sim->scene.obstacle_count, first = obstacles, count = 0;
+    const size_t walls = sim->world.wall_count;
+    size_t first = walls, count = 0;
     sph2d_vec2 at = {0, 0};
     for (size_t i = 0; i < f->count; ++i) {
-        size_t k = obstacles > 0 ? layers_around(sim, (sph2d_vec2){f->x[i], f->y[i]}) : 0;
+        size_t k = layers_around(sim, (sph2d_vec2){f->x[i], f->y[i]});
         if (k < first) {
             first = k;
             count = 0;
             at = (sph2d_vec2){f->x[i], f->y[i]};
         }
-        count += k < obstacles && k == first;
+        count += k < walls && k == first;
     }
-    return first < obstacles ? refuse_obstacle(sim, first, at, count, report) : SPH2D_OK;
+    return first < walls ? refuse_wall(sim, first, at, count, report) : SPH2D_OK;
 }

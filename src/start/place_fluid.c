@@ -14,9 +14,9 @@
 /** Gives single particles, from `first` on, what the scene starts with; densities that were given stay. */
 static sph2d_status start_particles(sph2d_sim *sim, size_t first, sph2d_report *report)
 {
-    const sph2d_particles *particles = &sim->scene.particles;
+    const sph2d_particles *particles = &sim->world.scene.particles;
     double *density = sim->system.fluid.density;
-    sph2d_status status = sph2d__sim_start(sim, &sim->scene.start, first, "start", false, report);
+    sph2d_status status = sph2d__sim_start(sim, &sim->world.scene.start, first, "start", false, report);
     for (size_t k = 0; k < particles->count; ++k)
         if (particles->items[k].density > 0)
             density[first + k] = particles->items[k].density;
@@ -26,7 +26,7 @@ static sph2d_status start_particles(sph2d_sim *sim, size_t first, sph2d_report *
 /** Places the scene's single particles, wrapped at periodic sides; reports those in a block or obstacle. */
 static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
 {
-    const sph2d_particles *particles = &sim->scene.particles;
+    const sph2d_particles *particles = &sim->world.scene.particles;
     const size_t first = sim->system.fluid.count;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     sph2d__store *f = &sim->system.fluid;
@@ -38,14 +38,14 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
         const sph2d_particle *p = &particles->items[k];
         sph2d_vec2 at = {sph2d__period_wrap(p->x, period->low_x, period->length_x),
                          sph2d__period_wrap(p->y, period->low_y, period->length_y)};
-        if (sph2d__in_block(&sim->scene, at))
+        if (sph2d__in_block(&sim->world.scene, at))
             return sph2d__sim_refuse_particle(k, "inside a block", at, report);
         if (sph2d__sim_occupancy(sim, at, 0) != SPH2D__FREE)
             return sph2d__sim_refuse_particle(k, "inside an obstacle", at, report);
         size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
         f->vx[i] = p->vx;
         f->vy[i] = p->vy;
-        f->density[i] = sim->scene.fluid.density;
+        f->density[i] = sim->world.scene.fluid.density;
     }
     return particles->items && particles->count > 0 ? start_particles(sim, first, report) : SPH2D_OK;
 }
@@ -53,10 +53,10 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
 /** Displaces the particles of a block, from `first` on, at random, wrapping them at periodic sides. */
 static void perturb_block(sph2d_sim *sim, size_t index, size_t first)
 {
-    const sph2d_perturb *perturb = &sim->scene.blocks[index].perturb;
+    const sph2d_perturb *perturb = &sim->world.scene.blocks[index].perturb;
     const sph2d__period *period = &sim->system.fluid_cells.period;
     sph2d__store *f = &sim->system.fluid;
-    double reach = perturb->amplitude * sim->scene.spacing;
+    double reach = perturb->amplitude * sim->world.scene.spacing;
     for (size_t i = first; reach > 0 && i < f->count; ++i) {
         double x = f->x[i] + reach * sph2d__noise(perturb->seed, index, i - first, 0, 0);
         double y = f->y[i] + reach * sph2d__noise(perturb->seed, index, i - first, 0, 1);
@@ -67,9 +67,9 @@ static void perturb_block(sph2d_sim *sim, size_t index, size_t first)
 
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     sph2d__store *fluid = &sim->system.fluid;
-    if (!sph2d__solids_build(&sim->solids, scene, &sim->arena, &sim->memory))
+    if (!sph2d__solids_build(&sim->solids, &sim->world, &sim->arena, &sim->memory))
         return SPH2D_NOMEM;
     for (size_t i = 0; i < scene->block_count; ++i) {
         size_t first = fluid->count;

@@ -28,7 +28,7 @@ typedef struct contour {
     double side;         /**< +1: layers on the left, -1: on the right */
 } contour;
 
-static contour contour_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
+static contour contour_of(const sph2d_sim *sim, const sph2d__wall *obstacle)
 {
     const sph2d_shape *outline = &obstacle->shape;
     bool closed = !sph2d__shape_is_open(outline), left = closed;
@@ -36,8 +36,8 @@ static contour contour_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
         left = !sph2d__polygon_is_clockwise(outline->points);
     else if (!closed)
         left = obstacle->liquid == SPH2D_LIQUID_RIGHT;
-    double dx = sim->scene.spacing;
-    bool hollow = sph2d__obstacle_is_hollow(obstacle);
+    double dx = sim->world.scene.spacing;
+    bool hollow = sph2d__wall_is_hollow(obstacle);
     return (contour){outline, dx, sph2d__shape_pieces(outline, dx), closed, hollow, left != hollow ? 1 : -1};
 }
 
@@ -86,7 +86,7 @@ static sph2d__segment layer_piece(const contour *c, size_t index, double d, doub
     return layer;
 }
 
-sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d_obstacle *obstacle, size_t index, double distance)
+sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d__wall *obstacle, size_t index, double distance)
 {
     const contour c = contour_of(sim, obstacle);
     return layer_piece(&c, index, distance, 0);
@@ -240,7 +240,7 @@ static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
     return true;
 }
 
-sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
+sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d__wall *obstacle, sph2d__barrier *barrier,
                                      sph2d_report *report)
 {
     contour c = contour_of(sim, obstacle);

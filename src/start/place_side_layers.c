@@ -73,7 +73,7 @@ static double filled_sum(const sph2d_sim *sim, const extent *x, const extent *y,
 /** Sets the velocity of the last boundary particle to that of its side; corners are at rest. */
 static void set_speed(sph2d_sim *sim, const extent *x, long i, const extent *y, long j)
 {
-    const sph2d_side_speeds *speeds = &sim->scene.wall_speeds;
+    const sph2d_side_speeds *speeds = &sim->world.scene.wall_speeds;
     sph2d__store *w = &sim->system.walls;
     bool beside_x = is_behind(x, i), beside_y = is_behind(y, j);
     if (beside_x && !beside_y)
@@ -117,9 +117,9 @@ static sph2d_status place_cells(sph2d_sim *sim, const extent *x, const extent *y
 
 sph2d_status sph2d__sim_place_side_layers(sph2d_sim *sim, sph2d_report *report)
 {
-    sph2d_box d = sim->scene.domain;
-    sph2d_boundary b = sim->scene.boundary;
-    double dx = sim->scene.spacing;
+    sph2d_box d = sim->world.box;
+    sph2d_boundary b = sim->world.scene.boundary;
+    double dx = sim->world.scene.spacing;
     if (b.left != SPH2D_SIDE_WALL && b.right != SPH2D_SIDE_WALL && b.bottom != SPH2D_SIDE_WALL &&
         b.top != SPH2D_SIDE_WALL)
         return SPH2D_OK;

@@ -58,7 +58,7 @@ static bool is_in_layers(const sph2d_sim *sim, sph2d_vec2 p)
     SPH2D__FOR_NEIGHBOURS (&ranges, r, j) {
         bool layer = w->mass && w->mass[j] > 0 && w->bounce[j] < 0;
         double distance = hypot(p.x + ranges.x[r] - w->x[j], p.y + ranges.y[r] - w->y[j]);
-        if (layer && distance < LEAST_DISTANCE * sim->scene.spacing)
+        if (layer && distance < LEAST_DISTANCE * sim->world.scene.spacing)
             return true;
     }
     return false;
@@ -67,15 +67,16 @@ static bool is_in_layers(const sph2d_sim *sim, sph2d_vec2 p)
 /** Whether a place is in the domain and in no block. */
 static bool is_own(const sph2d_sim *sim, sph2d_vec2 p)
 {
-    const sph2d_box *d = &sim->given.domain;
-    return p.x > d->min.x && p.x < d->max.x && p.y > d->min.y && p.y < d->max.y && !sph2d__in_block(&sim->given, p);
+    const sph2d_box *d = &sim->world.scene.domain;
+    return p.x > d->min.x && p.x < d->max.x && p.y > d->min.y && p.y < d->max.y &&
+           !sph2d__in_block(&sim->world.scene, p);
 }
 
 /** The number of particles that the liquid of the snapshot makes, as far as it is in the domain and has room. */
 static double count_wanted(const sph2d_sim *sim, const sph2d_cloud *given)
 {
     const sph2d__period *period = &sim->system.fluid_cells.period;
-    double count = 0, size = given->spacing / sim->scene.spacing;
+    double count = 0, size = given->spacing / sim->world.scene.spacing;
     for (size_t k = 0; k < given->count; ++k) {
         sph2d_vec2 p = {sph2d__period_wrap(given->items[k].x, period->low_x, period->length_x),
                         sph2d__period_wrap(given->items[k].y, period->low_y, period->length_y)};
@@ -128,7 +129,7 @@ static bool take(sph2d_sim *sim, lattice *l, size_t wanted)
     qsort(l->places, count, sizeof *l->places, by_number);
     for (size_t k = 0; k < count; ++k) {
         size_t i = sph2d__store_add(f, sim->record.next_id++, l->places[k].at.x, l->places[k].at.y);
-        f->density[i] = sim->scene.fluid.density;
+        f->density[i] = sim->world.scene.fluid.density;
     }
     return true;
 }
@@ -137,11 +138,11 @@ static bool take(sph2d_sim *sim, lattice *l, size_t wanted)
 static bool pack(sph2d_sim *sim, const sph2d__cloud *cloud, double wanted)
 {
     sph2d__store *f = &sim->system.fluid;
-    const sph2d_shape domain = {.kind = SPH2D_SHAPE_BOX, .box = sim->given.domain};
-    double margin = ceil(sim->system.support / sim->scene.spacing) + 1;
+    const sph2d_shape domain = {.kind = SPH2D_SHAPE_BOX, .box = sim->world.scene.domain};
+    double margin = ceil(sim->system.support / sim->world.scene.spacing) + 1;
     sph2d__region region;
     sph2d__packing packing;
-    if (!sph2d__region_make_covered(&region, sim, &domain, cloud, domain.box.min, sim->scene.spacing, (int)margin,
+    if (!sph2d__region_make_covered(&region, sim, &domain, cloud, domain.box.min, sim->world.scene.spacing, (int)margin,
                                     wanted))
         return false;
     bool ok = sph2d__pack(sim, &region, &packing);
@@ -151,7 +152,7 @@ static bool pack(sph2d_sim *sim, const sph2d__cloud *cloud, double wanted)
     ok = sph2d__store_reserve(f, &sim->memory, f->count + packing.count);
     for (size_t k = 0; ok && k < packing.count; ++k) {
         size_t i = sph2d__store_add(f, sim->record.next_id++, packing.positions[k].x, packing.positions[k].y);
-        f->density[i] = sim->scene.fluid.density;
+        f->density[i] = sim->world.scene.fluid.density;
     }
     sph2d__packing_free(&packing, &sim->memory);
     return ok;
@@ -160,19 +161,19 @@ static bool pack(sph2d_sim *sim, const sph2d__cloud *cloud, double wanted)
 /** Adds what was taken to the plan. */
 static void add_to_plan(sph2d_sim *sim, double wanted, size_t taken)
 {
-    double area = sim->scene.spacing * sim->scene.spacing;
+    double area = sim->world.scene.spacing * sim->world.scene.spacing;
     sim->plan.area_asked += wanted * area;
     sim->plan.area_placed += (double)taken * area;
 }
 
 sph2d_status sph2d__sim_place_snapshot(sph2d_sim *sim, sph2d_report *report)
 {
-    const sph2d_cloud *given = &sim->scene.start.snapshot;
-    const sph2d_box *d = &sim->given.domain;
+    const sph2d_cloud *given = &sim->world.scene.start.snapshot;
+    const sph2d_box *d = &sim->world.scene.domain;
     lattice l = {0};
     size_t first = sim->system.fluid.count;
-    l.nx = divide(d->max.x - d->min.x, sim->scene.spacing, &l.x);
-    l.ny = divide(d->max.y - d->min.y, sim->scene.spacing, &l.y);
+    l.nx = divide(d->max.x - d->min.x, sim->world.scene.spacing, &l.x);
+    l.ny = divide(d->max.y - d->min.y, sim->world.scene.spacing, &l.y);
     l.first = (sph2d_vec2){d->min.x + l.x / 2, d->min.y + l.y / 2};
     double wanted = given->count > 0 ? count_wanted(sim, given) : 0;
     if (sph2d__sim_too_many(sim, fmax(wanted, (double)l.nx * (double)l.ny), "start.snapshot", report))
@@ -188,5 +189,5 @@ sph2d_status sph2d__sim_place_snapshot(sph2d_sim *sim, sph2d_report *report)
     if (!ok)
         return SPH2D_NOMEM;
     add_to_plan(sim, wanted, sim->system.fluid.count - first);
-    return sph2d__sim_start(sim, &sim->scene.start, first, "start", false, report);
+    return sph2d__sim_start(sim, &sim->world.scene.start, first, "start", false, report);
 }

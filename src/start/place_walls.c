@@ -4,10 +4,7 @@
 #include <math.h>
 
 #include "kernels/muller.h"
-#include "scene/bodies.h"
 #include "scene/liquid_side.h"
-#include "scene/resolve.h"
-#include "scene/wall_names.h"
 #include "start/start.h"
 
 /* Clearance of the barriers [spacings]: well within the distance that pressure and springs maintain. */
@@ -67,7 +64,7 @@ static double row_sum(double support_ratio, double distance)
  *  before the surface, must give the first row of liquid the rest density, too; by default it is 1.19 spacings. */
 static double row_offset(const sph2d_sim *sim)
 {
-    const double ratio = sim->scene.method.support_ratio;
+    const double ratio = sim->world.scene.method.support_ratio;
     double behind = 0, row = row_sum(ratio, 0), lattice = row;
     for (int k = 1; k <= (int)ratio + 1; ++k)
         behind += row_sum(ratio, k);
@@ -80,20 +77,19 @@ static double row_offset(const sph2d_sim *sim)
     return low - SIDE_OFFSET;
 }
 
-bool sph2d__has_inset_row(const sph2d_scene *scene, const sph2d_obstacle *obstacle)
+bool sph2d__has_inset_row(const sph2d__wall *wall)
 {
-    return sph2d__obstacle_form(scene, obstacle) == SPH2D_WALL_HEAVY && !sph2d__shape_is_open(&obstacle->shape) &&
-           !sph2d__obstacle_is_hollow(obstacle);
+    return wall->form == SPH2D_WALL_HEAVY && !sph2d__shape_is_open(&wall->shape) && !sph2d__wall_is_hollow(wall);
 }
 
 /** How far the row of a heavy solid lies behind its surface [m]: at most in the middle of a thin one. On its surface the
  *  row made the solid 0.63 to 0.75 spacings larger all round, with 1.27 to 1.32 times its buoyancy at 10 across. */
-static double inset_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
+static double inset_of(const sph2d_sim *sim, const sph2d__wall *wall)
 {
-    if (!sph2d__has_inset_row(&sim->scene, obstacle))
+    if (!sph2d__has_inset_row(wall))
         return 0;
-    const sph2d_shape *outline = &obstacle->shape;
-    double spacing = sim->scene.spacing, length = 0;
+    const sph2d_shape *outline = &wall->shape;
+    double spacing = sim->world.scene.spacing, length = 0;
     size_t pieces = sph2d__shape_pieces(outline, spacing);
     for (size_t k = 0; k < pieces; ++k) {
         sph2d__segment s = sph2d__shape_piece(outline, spacing, k);
@@ -102,72 +98,71 @@ static double inset_of(const sph2d_sim *sim, const sph2d_obstacle *obstacle)
     return fmin(row_offset(sim) * spacing, sph2d__shape_area(outline) / length);
 }
 
-/** Places the boundary particles of an obstacle and adds its pieces to a barrier. */
-static sph2d_status place_outline(sph2d_sim *sim, const sph2d_obstacle *obstacle, sph2d__barrier *barrier,
+/** Places the boundary particles of a wall and adds its pieces to a barrier. */
+static sph2d_status place_outline(sph2d_sim *sim, const sph2d__wall *wall, sph2d__barrier *barrier,
                                   sph2d_report *report)
 {
-    double spacing = sim->scene.spacing;
-    size_t pieces = sph2d__shape_pieces(&obstacle->shape, spacing);
+    double spacing = sim->world.scene.spacing;
+    size_t pieces = sph2d__shape_pieces(&wall->shape, spacing);
     if (sph2d__sim_too_many(sim, (double)sim->system.walls.count + (double)pieces, "obstacles", report))
         return SPH2D_SCENE;
-    sph2d_wall_form form = sph2d__obstacle_form(&sim->scene, obstacle);
-    bool open = sph2d__shape_is_open(&obstacle->shape);
-    double inset = inset_of(sim, obstacle);
+    sph2d_wall_form form = wall->form;
+    bool open = sph2d__shape_is_open(&wall->shape);
+    double inset = inset_of(sim, wall);
     for (size_t k = 0; k < pieces; ++k) {
-        wall_piece piece = {sph2d__shape_piece(&obstacle->shape, spacing, k), form, obstacle->restitution,
+        wall_piece piece = {sph2d__shape_piece(&wall->shape, spacing, k), form, wall->restitution,
                             open && k + 1 == pieces};
-        sph2d__segment wall = piece.segment;
+        sph2d__segment face = piece.segment;
         if (inset > 0)
-            piece.segment = sph2d__inset_piece(sim, obstacle, k, inset);
-        if (obstacle->liquid ==
-            SPH2D_LIQUID_RIGHT) /* the barrier keeps particles that start on a segment on its left */
-            wall = (sph2d__segment){wall.b, wall.a};
-        if (!sph2d__barrier_add(barrier, wall, &sim->memory))
+            piece.segment = sph2d__inset_piece(sim, wall, k, inset);
+        if (wall->liquid == SPH2D_LIQUID_RIGHT) /* the barrier keeps particles that start on a segment on its left */
+            face = (sph2d__segment){face.b, face.a};
+        if (!sph2d__barrier_add(barrier, face, &sim->memory))
             return SPH2D_NOMEM;
         sph2d_status status = form == SPH2D_WALL_GENERALISED ? SPH2D_OK : place_piece(sim, &piece, report);
         if (status != SPH2D_OK)
             return status;
     }
-    return form == SPH2D_WALL_GENERALISED ? sph2d__sim_place_layers(sim, obstacle, barrier, report) : SPH2D_OK;
+    return form == SPH2D_WALL_GENERALISED ? sph2d__sim_place_layers(sim, wall, barrier, report) : SPH2D_OK;
 }
 
-/** Sets the motion of an obstacle; its boundary particles are placed. */
-static sph2d_status start_motion(sph2d_sim *sim, sph2d__moving *m, const sph2d_obstacle *obstacle)
+/** Sets the motion of a wall; its boundary particles are placed. */
+static sph2d_status start_motion(sph2d_sim *sim, sph2d__moving *m, const sph2d__wall *wall)
 {
     const sph2d__store *walls = &sim->system.walls;
-    size_t bends = sph2d__motion_bends(&obstacle->motion);
-    bool turns = walls->normal_x && sph2d__obstacle_turns(obstacle);
+    size_t bends = sph2d__motion_bends(&wall->motion);
+    bool turns = walls->normal_x && sph2d__wall_turns(wall);
     sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
     size_t count = (size_t)(m->end_id - m->first_id) + 1;
     sph2d_vec2 *normals = turns ? sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *normals) : NULL;
     if ((bends && !points) || (turns && !normals))
         return SPH2D_NOMEM;
-    m->obstacle = obstacle;
-    m->course = sph2d__course_of(&obstacle->motion, &obstacle->shape, points);
+    m->drawn = wall;
+    m->course = sph2d__course_of(&wall->motion, &wall->shape, points);
     sph2d__moving_start(m, walls, normals);
     return SPH2D_OK;
 }
 
-static sph2d_status place_obstacle(sph2d_sim *sim, size_t index, sph2d_report *report)
+static sph2d_status place_wall(sph2d_sim *sim, size_t index, sph2d_report *report)
 {
-    const sph2d_obstacle *obstacle = &sim->scene.obstacles[index];
+    const sph2d__wall *wall = &sim->world.walls[index];
     sph2d__barrier *barrier = &sim->barrier;
     sph2d__moving *m = NULL;
-    if (sph2d__obstacle_moves(obstacle)) {
+    if (sph2d__wall_moves(wall)) {
         m = &sim->moving[sim->moving_count++];
         barrier = &m->barrier;
     }
-    sph2d__ids *ids = &sim->obstacle_ids[index];
-    barrier->wall = SPH2D__WALL_OBSTACLE + (int)index;
+    sph2d__ids *ids = &sim->wall_ids[index];
+    barrier->wall = (int)index;
     ids->first = sim->system.walls.count;
-    sph2d_status status = place_outline(sim, obstacle, barrier, report);
+    sph2d_status status = place_outline(sim, wall, barrier, report);
     ids->end = sim->system.walls.count;
     if (!m || status != SPH2D_OK)
         return status;
-    m->wall = SPH2D__WALL_OBSTACLE + (int)index;
+    m->wall = (int)index;
     m->first_id = ids->first;
     m->end_id = ids->end;
-    return start_motion(sim, m, obstacle);
+    return start_motion(sim, m, wall);
 }
 
 /** Places one side of the domain that is a wall. `shift` points outwards. */
@@ -175,20 +170,21 @@ static sph2d_status place_side(sph2d_sim *sim, sph2d_vec2 a, sph2d_vec2 b, sph2d
 {
     if (!sph2d__barrier_add(&sim->barrier, (sph2d__segment){a, b}, &sim->memory))
         return SPH2D_NOMEM;
-    if (sim->scene.walls == SPH2D_WALL_SPRING || sim->scene.walls == SPH2D_WALL_GENERALISED)
+    if (sim->world.scene.walls == SPH2D_WALL_SPRING || sim->world.scene.walls == SPH2D_WALL_GENERALISED)
         return SPH2D_OK;
-    double d = SIDE_OFFSET * sim->scene.spacing;
+    double d = SIDE_OFFSET * sim->world.scene.spacing;
     wall_piece piece = {{{a.x + d * shift.x, a.y + d * shift.y}, {b.x + d * shift.x, b.y + d * shift.y}},
-                        sim->scene.walls,
+                        sim->world.scene.walls,
                         sph2d_obstacle_default().restitution,
                         true};
     return place_piece(sim, &piece, report);
 }
 
 /** The domain and, beyond its open sides, the area in which particles are kept: walls extend as far. */
-static sph2d_box extended_domain(const sph2d_scene *scene)
+static sph2d_box extended_domain(const sph2d__world *world)
 {
-    sph2d_box d = scene->domain;
+    const sph2d_scene *scene = &world->scene;
+    sph2d_box d = world->box;
     double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
     d.min.x -= scene->boundary.left == SPH2D_SIDE_OPEN ? width : 0;
     d.max.x += scene->boundary.right == SPH2D_SIDE_OPEN ? width : 0;
@@ -200,8 +196,8 @@ static sph2d_box extended_domain(const sph2d_scene *scene)
 /** Each side has the liquid on the left of a to b, where the barrier keeps particles that start on it. */
 static sph2d_status place_sides(sph2d_sim *sim, sph2d_report *report)
 {
-    sph2d_box d = extended_domain(&sim->scene);
-    sph2d_boundary sides = sim->scene.boundary;
+    sph2d_box d = extended_domain(&sim->world);
+    sph2d_boundary sides = sim->world.scene.boundary;
     struct {
         sph2d_side side;
         sph2d_vec2 a, b, shift;
@@ -228,7 +224,7 @@ static bool make_spins(sph2d_sim *sim)
     sph2d__system *s = &sim->system;
     bool turns = false;
     for (size_t k = 0; k < sim->moving_count; ++k)
-        turns = turns || sph2d__obstacle_turns(sim->moving[k].obstacle);
+        turns = turns || sph2d__wall_turns(sim->moving[k].drawn);
     if (!turns || !s->walls.depth)
         return true;
     s->wall_spin = sph2d__arena_alloc(&sim->arena, &sim->memory, s->walls.count + 1, sizeof *s->wall_spin);
@@ -242,7 +238,7 @@ static bool finish_walls(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     const sph2d__period *period = &s->wall_cells.period;
-    double bucket = s->support, clearance = CLEARANCE * sim->scene.spacing;
+    double bucket = s->support, clearance = CLEARANCE * sim->world.scene.spacing;
     for (size_t i = 0; i < s->walls.count; ++i) {
         s->walls.start_x[i] = s->walls.x[i];
         s->walls.start_y[i] = s->walls.y[i];
@@ -260,9 +256,9 @@ static bool finish_walls(sph2d_sim *sim)
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report)
 {
     sph2d_status status = place_sides(sim, report);
-    for (size_t i = 0; status == SPH2D_OK && i < sim->scene.obstacle_count; ++i)
-        status = place_obstacle(sim, i, report);
-    if (status == SPH2D_OK && sim->scene.walls == SPH2D_WALL_GENERALISED)
+    for (size_t i = SPH2D__WALL_OBSTACLE; status == SPH2D_OK && i < sim->world.wall_count; ++i)
+        status = place_wall(sim, i, report);
+    if (status == SPH2D_OK && sim->world.scene.walls == SPH2D_WALL_GENERALISED)
         status = sph2d__sim_place_side_layers(sim, report);
     if (status == SPH2D_OK)
         status = sph2d__sim_set_slips(sim);

@@ -26,10 +26,11 @@ static sph2d_vec2 point_of(unsigned k)
 
 bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
 {
-    const sph2d_scene *scene = &r->sim->scene;
+    const sph2d_scene *scene = &r->sim->world.scene;
     if (!sph2d__shape_contains(r->shape, p))
         return false;
-    if (r->cloud && (sph2d__in_block(&r->sim->given, p) || sph2d__cloud_cover_of(r->cloud, r->sim, p) < r->least_cover))
+    if (r->cloud &&
+        (sph2d__in_block(&r->sim->world.scene, p) || sph2d__cloud_cover_of(r->cloud, r->sim, p) < r->least_cover))
         return false;
     double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
     int across = length_x > 0, along = length_y > 0;
@@ -38,7 +39,7 @@ bool sph2d__region_contains(const sph2d__region *r, sph2d_vec2 p)
             sph2d_vec2 image = {p.x + image_x * length_x, p.y + image_y * length_y};
             sph2d__solid_list near = sph2d__solids_near(&r->sim->solids, image);
             for (size_t k = 0; k < near.count; ++k)
-                if (sph2d__obstacle_fills(scene, &scene->obstacles[near.obstacle[k]], image))
+                if (sph2d__wall_fills(scene, &r->sim->world.walls[near.wall[k]], image))
                     return false;
         }
     return true;
@@ -78,16 +79,17 @@ static void mark_outline(sph2d__region *r, const sph2d_shape *outline, double sh
 
 static void mark_edges(sph2d__region *r)
 {
-    const sph2d_scene *scene = &r->sim->scene;
+    const sph2d_scene *scene = &r->sim->world.scene;
     double length_x = sph2d__period_x(scene), length_y = sph2d__period_y(scene);
     int across = length_x > 0, along = length_y > 0;
     mark_outline(r, r->shape, 0, 0);
-    for (size_t i = 0; i < scene->obstacle_count; ++i) {
-        if (sph2d__shape_is_open(&scene->obstacles[i].shape))
+    const sph2d__world *world = &r->sim->world;
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k) {
+        if (sph2d__shape_is_open(&world->walls[k].shape))
             continue;
         for (int image_x = -across; image_x <= across; ++image_x)
             for (int image_y = -along; image_y <= along; ++image_y)
-                mark_outline(r, &scene->obstacles[i].shape, image_x * length_x, image_y * length_y);
+                mark_outline(r, &world->walls[k].shape, image_x * length_x, image_y * length_y);
     }
 }
 
@@ -231,14 +233,15 @@ static int decreasing(const void *a, const void *b)
 /** Marks the cells that a surface of the snapshot may cut; lines, too, have liquid on one side only. */
 static size_t mark_surface(sph2d__region *r)
 {
-    const sph2d_scene *scene = &r->sim->scene;
+    const sph2d_scene *scene = &r->sim->world.scene;
     size_t marked = 0;
     mark_edges(r);
     for (size_t i = 0; i < scene->block_count; ++i)
         mark_outline(r, &scene->blocks[i].shape, 0, 0);
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        if (sph2d__shape_is_open(&scene->obstacles[i].shape))
-            mark_outline(r, &scene->obstacles[i].shape, 0, 0);
+    const sph2d__world *world = &r->sim->world;
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k)
+        if (sph2d__shape_is_open(&world->walls[k].shape))
+            mark_outline(r, &world->walls[k].shape, 0, 0);
     for (size_t cell = 0; cell < r->nx * r->ny; ++cell) {
         sph2d_vec2 p = sph2d__region_position(r, (double)(cell % r->nx) + 0.5, (double)(cell / r->nx) + 0.5);
         double cover = sph2d__cloud_cover(r->cloud, p);

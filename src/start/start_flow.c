@@ -20,8 +20,8 @@ static double bottom_of(const sph2d_sim *sim, size_t first)
     const sph2d__store *f = &sim->system.fluid;
     double lowest = INFINITY;
     for (size_t i = first; i < f->count; ++i)
-        lowest = fmin(lowest, height_of(&sim->scene, f->x[i], f->y[i]));
-    return lowest - sim->scene.spacing / 2;
+        lowest = fmin(lowest, height_of(&sim->world.scene, f->x[i], f->y[i]));
+    return lowest - sim->world.scene.spacing / 2;
 }
 
 /** Where a particle of initially hydrostatic liquid is once the liquid below it is compressed: spacing and density then
@@ -31,9 +31,9 @@ static double bottom_of(const sph2d_sim *sim, size_t first)
  *      y = c0^2/g ln((1 + g S/c0^2)/(1 + g (S - s)/c0^2)) */
 static sph2d_vec2 settled(const sph2d_sim *sim, size_t i, double pressure, double bottom)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     const sph2d__store *f = &sim->system.fluid;
-    double g = hypot(scene->gravity.x, scene->gravity.y), c2 = sim->system.sound_speed * sim->system.sound_speed;
+    double g = sim->world.gravity.size, c2 = sim->system.sound_speed * sim->system.sound_speed;
     double s = height_of(scene, f->x[i], f->y[i]) - bottom, head = pressure / (scene->fluid.density * g);
     if (!(g > 0 && pressure > 0))
         return (sph2d_vec2){f->x[i], f->y[i]};
@@ -68,7 +68,7 @@ sph2d_status sph2d__sim_start_flow(sph2d_sim *sim, const sph2d_flow *flow, size_
                                    sph2d_report *report)
 {
     sph2d__store *f = &sim->system.fluid;
-    const bool summed = sph2d__method_row_of(&sim->scene.method)->summed_density;
+    const bool summed = sph2d__method_row_of(&sim->world.scene.method)->summed_density;
     sph2d_flow_context context = sph2d__sim_flow_context(sim);
     for (size_t i = first; i < f->count; ++i) {
         double vx, vy, pressure;

@@ -12,7 +12,7 @@
 /** Sets the density of a particle to that of a pressure, with methods that do not compute it. */
 static void set_pressure(sph2d_sim *sim, size_t i, double pressure)
 {
-    if (!sph2d__method_row_of(&sim->scene.method)->summed_density)
+    if (!sph2d__method_row_of(&sim->world.scene.method)->summed_density)
         sim->system.fluid.density[i] = sph2d__density_of(&sim->system, pressure);
 }
 
@@ -53,7 +53,7 @@ static sph2d_status start_table(sph2d_sim *sim, const sph2d_grid *grid, size_t f
                                 sph2d_report *report)
 {
     sph2d__store *f = &sim->system.fluid;
-    double slack = 1e-6 * sim->scene.spacing; /* rounding */
+    double slack = 1e-6 * sim->world.scene.spacing; /* rounding */
     for (size_t i = first; i < f->count; ++i) {
         if (!is_in_grid(grid, f->x[i], f->y[i], slack))
             return refuse_place(grid, f->x[i], f->y[i], key, report);

@@ -104,9 +104,10 @@ static void lay_out(sph2d__grid *g, size_t nozzles, room *r)
 
 static void set_shape(const sph2d_sim *sim, sph2d__grid *g)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     const sph2d_boundary *b = &scene->boundary;
-    const double width = scene->domain.max.x - scene->domain.min.x, height = scene->domain.max.y - scene->domain.min.y;
+    const sph2d_box *d = &sim->world.box;
+    const double width = d->max.x - d->min.x, height = d->max.y - d->min.y;
     g->wraps_x = sim->system.fluid_cells.period.length_x > 0;
     g->wraps_y = sim->system.fluid_cells.period.length_y > 0;
     g->open[0] = b->left == SPH2D_SIDE_OPEN;
@@ -116,8 +117,8 @@ static void set_shape(const sph2d_sim *sim, sph2d__grid *g)
     const int nx = squares_of(width, scene->spacing, g->wraps_x), ny = squares_of(height, scene->spacing, g->wraps_y);
     g->nx = nx * (1 + g->open[0] + g->open[1]);
     g->ny = ny * (1 + g->open[2] + g->open[3]);
-    g->low_x = scene->domain.min.x - g->open[0] * width;
-    g->low_y = scene->domain.min.y - g->open[2] * height;
+    g->low_x = d->min.x - g->open[0] * width;
+    g->low_y = d->min.y - g->open[2] * height;
     g->inverse_x = nx / width;
     g->inverse_y = ny / height;
     g->hx = (float)(width / nx);
@@ -147,7 +148,7 @@ sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
     g->body_count = sim->bodies.count;
     set_shape(sim, g);
     room counted = {NULL, 0};
-    const size_t nozzles = sph2d__grid_most_nozzles(&sim->scene, g);
+    const size_t nozzles = sph2d__grid_most_nozzles(&sim->world.scene, g);
     lay_out(g, nozzles, &counted);
     g->block = sph2d__alloc(s->memory, counted.used + 64, 1);
     if (!g->block) {
@@ -158,6 +159,6 @@ sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
     room given = {(char *)g->block + (64 - (uintptr_t)g->block % 64) % 64, 0};
     lay_out(g, nozzles, &given);
     sph2d__grid_place_solids(sim, g);
-    sph2d__grid_place_nozzles(&sim->scene, g);
+    sph2d__grid_place_nozzles(&sim->world.scene, g);
     return SPH2D_OK;
 }

@@ -6,9 +6,6 @@
 
 #include "methods/hybrid/grid.h"
 #include "methods/hybrid/solid.h"
-#include "scene/bodies.h"
-#include "scene/resolve.h"
-#include "scene/wall_names.h"
 #include "sim/bodies.h"
 
 /** A range of corners. */
@@ -28,9 +25,9 @@ static corners corners_near(const sph2d__grid *g, const sph2d__solid *s)
 
 /** Sets the distances of the corners near a solid from it, in `own`; lowers those from all, and gives the corners that it is
  *  nearest to its velocity and slip. */
-static void add_solid(const sph2d_sim *sim, sph2d__grid *g, const sph2d__solid *solid, const corners *c, float *own)
+static void add_solid(sph2d__grid *g, const sph2d__solid *solid, const corners *c, float *own)
 {
-    const float stick = sph2d__obstacle_slip(&sim->scene, solid->obstacle) == SPH2D_SLIP_NONE ? 1 : 0;
+    const float stick = solid->wall->slip == SPH2D_SLIP_NONE ? 1 : 0;
     for (int j = c->bottom; j <= c->top; ++j)
         for (int i = c->left; i <= c->right; ++i) {
             const sph2d_vec2 at = {g->low_x + (i - 1) * (double)g->hx, g->low_y + (j - 1) * (double)g->hy};
@@ -49,7 +46,7 @@ static void add_solid(const sph2d_sim *sim, sph2d__grid *g, const sph2d__solid *
 /** Gives the corners of a side its slip, and those between its ends the speed along it. */
 static void add_side(const sph2d_sim *sim, const sph2d__grid *g, int side)
 {
-    const sph2d_scene *scene = &sim->scene;
+    const sph2d_scene *scene = &sim->world.scene;
     const sph2d_side_speeds *s = &scene->wall_speeds;
     const double speeds[4] = {s->left, s->right, s->bottom, s->top};
     const bool vertical = side < 2;
@@ -60,7 +57,7 @@ static void add_side(const sph2d_sim *sim, const sph2d__grid *g, int side)
         const size_t k = vertical ? sph2d__at(g, at, m) : sph2d__at(g, m, at);
         if (g->distance[k] <= 0) /* a solid reaches the side there */
             continue;
-        g->stick[k] = sph2d__side_slip(scene, side) == SPH2D_SLIP_NONE ? 1 : 0;
+        g->stick[k] = sim->world.walls[side].slip == SPH2D_SLIP_NONE ? 1 : 0;
         (vertical ? g->corner_v : g->corner_u)[k] = (float)speeds[side];
     }
 }
@@ -80,12 +77,12 @@ static float middle(const sph2d__grid *g, const float *distance, size_t k)
     return (d[0] + d[1] + d[g->stride] + d[g->stride + 1]) / 4;
 }
 
-static bool is_inside_rest(const sph2d_scene *scene, sph2d_vec2 p)
+static bool is_inside_rest(const sph2d__world *world, sph2d_vec2 p)
 {
     const sph2d__pose still = {.cosine = 1};
-    for (size_t k = 0; k < scene->obstacle_count; ++k) {
-        const sph2d__solid solid = sph2d__solid_of(scene, &scene->obstacles[k], &still);
-        if (!sph2d__obstacle_moves(solid.obstacle) && sph2d__solid_distance(&solid, p) <= 0)
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k) {
+        const sph2d__solid solid = sph2d__solid_of(world, &world->walls[k], &still);
+        if (!sph2d__wall_moves(solid.wall) && sph2d__solid_distance(&solid, p) <= 0)
             return true;
     }
     return false;
@@ -109,7 +106,7 @@ static bool passes(const sph2d_sim *sim, const sph2d__grid *g, const sph2d__soli
     if (!sph2d__barrier_crosses(barrier, drawn[0], drawn[1]))
         return false;
     for (int n = 0; n < 2; ++n)
-        if (solid ? sph2d__solid_distance(solid, ends[n]) <= 0 : is_inside_rest(&sim->scene, ends[n]))
+        if (solid ? sph2d__solid_distance(solid, ends[n]) <= 0 : is_inside_rest(&sim->world, ends[n]))
             return false;
     return true;
 }
@@ -119,8 +116,8 @@ static bool passes(const sph2d_sim *sim, const sph2d__grid *g, const sph2d__soli
 /** Open parts of faces and hidden parts of squares by all solids at rest, as one: the nearest counts. */
 static void cut_by_rest(const sph2d_sim *sim, sph2d__grid *g)
 {
-    const float full = g->hx * g->hy / (float)(sim->scene.spacing * sim->scene.spacing), unit = 2 / (g->hx + g->hy),
-                side = 1 / 0.875F, *distance = g->distance;
+    const float full = g->hx * g->hy / (float)(sim->world.scene.spacing * sim->world.scene.spacing),
+                unit = 2 / (g->hx + g->hy), side = 1 / 0.875F, *distance = g->distance;
     const size_t up = g->stride;
     const sph2d__barrier *b = &sim->barrier;
     for (int j = 1; j <= g->ny + 1; ++j)
@@ -204,11 +201,11 @@ static bool close_face(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, s
 /** Closes faces and hides squares near a solid that moves. False: memory is short. */
 static bool cut_by(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, float *own)
 {
-    const sph2d__solid s = sph2d__solid_of(&sim->scene, m->obstacle, &m->to);
+    const sph2d__solid s = sph2d__solid_of(&sim->world, m->drawn, &m->to);
     const corners c = corners_near(g, &s);
     const float unit = 2 / (g->hx + g->hy);
     const size_t up = g->stride;
-    add_solid(sim, g, &s, &c, own);
+    add_solid(g, &s, &c, own);
     for (int j = c.bottom > 1 ? c.bottom : 1; j < c.top; ++j)
         for (int i = c.left > 1 ? c.left : 1; i < c.right; ++i) {
             const size_t k = sph2d__at(g, i, j);
@@ -332,11 +329,11 @@ void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *g)
     const sph2d__pose still = {.cosine = 1};
     for (size_t k = 0; k < g->size; ++k)
         g->distance[k] = 4 * (g->hx + g->hy);
-    for (size_t k = 0; k < sim->scene.obstacle_count; ++k) {
-        const sph2d__solid s = sph2d__solid_of(&sim->scene, &sim->scene.obstacles[k], &still);
+    for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k) {
+        const sph2d__solid s = sph2d__solid_of(&sim->world, &sim->world.walls[k], &still);
         const corners c = corners_near(g, &s);
-        if (!sph2d__obstacle_moves(s.obstacle))
-            add_solid(sim, g, &s, &c, g->pressure.product);
+        if (!sph2d__wall_moves(s.wall))
+            add_solid(g, &s, &c, g->pressure.product);
     }
     for (int side = 0; side < 4; ++side)
         add_side(sim, g, side);

@@ -86,7 +86,7 @@ void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *g)
     for (size_t n = 0; n < g->nozzle_count; ++n) {
         sph2d__nozzle *z = &g->nozzles[n];
         float *open = &(z->x ? g->open_x : g->open_y)[z->face];
-        z->open = is_open(&sim->scene.sources[z->source], now) && (*open > 0 || z->side);
+        z->open = is_open(&sim->world.scene.sources[z->source], now) && (*open > 0 || z->side);
         if (!z->open)
             continue;
         *open = fmaxf(*open - z->part, 0);
@@ -122,7 +122,7 @@ static void keep_pace(const sph2d_sim *sim, const sph2d_source *s, double dt, sp
 
 void sph2d__grid_keep_pace(const sph2d_sim *sim, double dt, sph2d__batch *batch)
 {
-    for (size_t k = 0; k < sim->scene.source_count; ++k)
-        if (is_open(&sim->scene.sources[k], sim->record.time))
-            keep_pace(sim, &sim->scene.sources[k], dt, batch);
+    for (size_t k = 0; k < sim->world.scene.source_count; ++k)
+        if (is_open(&sim->world.scene.sources[k], sim->record.time))
+            keep_pace(sim, &sim->world.scene.sources[k], dt, batch);
 }

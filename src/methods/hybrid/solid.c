@@ -6,17 +6,16 @@
 #include <math.h>
 
 #include "scene/liquid_side.h"
-#include "scene/resolve.h"
 #include "scene/shape.h"
-#include "scene/wall_names.h"
 
 /* Part of a spacing within which an outline lies along a side. */
 static const double ALONG = 1e-6;
 
-sph2d__solid sph2d__solid_of(const sph2d_scene *scene, const sph2d_obstacle *obstacle, const sph2d__pose *pose)
+sph2d__solid sph2d__solid_of(const sph2d__world *world, const sph2d__wall *is, const sph2d__pose *pose)
 {
-    const bool layered = sph2d__shape_is_open(&obstacle->shape) || sph2d__obstacle_is_hollow(obstacle);
-    const sph2d_box b = sph2d__shape_bounds(&obstacle->shape), *d = &scene->domain;
+    const sph2d_scene *scene = &world->scene;
+    const bool layered = sph2d__shape_is_open(&is->shape) || sph2d__wall_is_hollow(is);
+    const sph2d_box b = sph2d__shape_bounds(&is->shape), *d = &world->box;
     const sph2d_vec2 ends[4] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}};
     const double more = layered ? sph2d__layer_thickness(scene) : 0, in = ALONG * scene->spacing;
     sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
@@ -29,14 +28,14 @@ sph2d__solid sph2d__solid_of(const sph2d_scene *scene, const sph2d_obstacle *obs
                over_y = low.y < d->min.y + in && high.y > d->max.y - in;
     bool wall[4]; /* or the seam of a period, on both sides of which the solid goes on */
     for (int side = 0; side < 4; ++side) {
-        const sph2d_side is = sph2d__side_of(scene, side);
-        wall[side] = is == SPH2D_SIDE_WALL || (is == SPH2D_SIDE_PERIODIC && (side < 2 ? over_x : over_y));
+        const sph2d_side side_is = sph2d__side_of(scene, side);
+        wall[side] = side_is == SPH2D_SIDE_WALL || (side_is == SPH2D_SIDE_PERIODIC && (side < 2 ? over_x : over_y));
     }
     const sph2d_box inside = {{wall[0] ? d->min.x + in : -INFINITY, wall[2] ? d->min.y + in : -INFINITY},
                               {wall[1] ? d->max.x - in : INFINITY, wall[3] ? d->max.y - in : INFINITY}};
     const bool reaches =
         !layered && (low.x < inside.min.x || high.x > inside.max.x || low.y < inside.min.y || high.y > inside.max.y);
-    return (sph2d__solid){scene, obstacle, pose, {low, high}, inside, reaches};
+    return (sph2d__solid){scene, is, pose, {low, high}, inside, reaches};
 }
 
 static double coordinate(sph2d_vec2 p, int axis)
@@ -70,7 +69,7 @@ static bool clip(sph2d__segment *s, const sph2d_box *box)
 /** Distance of a point from a solid's outline; `drawn`: the point, where the scene draws the solid [m]. */
 static double outline_distance(const sph2d__solid *s, sph2d_vec2 at, sph2d_vec2 drawn)
 {
-    const sph2d_shape *outline = &s->obstacle->shape;
+    const sph2d_shape *outline = &s->wall->shape;
     const double spacing = s->scene->spacing;
     if (!s->reaches)
         return sph2d__shape_nearest(outline, spacing, drawn);
@@ -88,16 +87,16 @@ static double outline_distance(const sph2d__solid *s, sph2d_vec2 at, sph2d_vec2 
 double sph2d__solid_distance(const sph2d__solid *s, sph2d_vec2 point)
 {
     const sph2d_scene *scene = s->scene;
-    const sph2d_obstacle *o = s->obstacle;
+    const sph2d__wall *o = s->wall;
     const sph2d_shape *outline = &o->shape;
     const sph2d_vec2 at = {fmin(fmax(point.x, s->inside.min.x), s->inside.max.x),
                            fmin(fmax(point.y, s->inside.min.y), s->inside.max.y)};
     const sph2d_vec2 p = sph2d__pose_invert(s->pose, at);
     const double d = outline_distance(s, at, p), thick = sph2d__layer_thickness(scene);
     if (!sph2d__shape_is_open(outline)) {
-        if (sph2d__obstacle_fills(scene, o, p))
+        if (sph2d__wall_fills(scene, o, p))
             return -d;
-        const bool beyond = sph2d__obstacle_is_hollow(o) && !sph2d__shape_contains(outline, p);
+        const bool beyond = sph2d__wall_is_hollow(o) && !sph2d__shape_contains(outline, p);
         return beyond ? d - thick : d;
     }
     /* A line is wet on one side, with layers on the other: the side is that of its nearest piece. */

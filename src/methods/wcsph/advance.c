@@ -309,19 +309,16 @@ static sph2d_status push_bodies(sph2d_sim *sim, double dt)
 /** The sides of the domain that are walls, and mirrors: not where liquid sticks. */
 static sph2d__sides mirrors_of(const sph2d_sim *sim)
 {
-    const sph2d_box *d = &sim->scene.domain;
+    const sph2d_box *d = &sim->world.box;
     sph2d_boundary open = {SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
-    const bool thick = sim->system.viscosity > 0 || sim->scene.fluid.model != SPH2D_RHEOLOGY_NEWTONIAN;
+    const bool thick = sim->system.viscosity > 0 || sim->world.scene.fluid.model != SPH2D_RHEOLOGY_NEWTONIAN;
     const bool none = sim->system.walls_rough && thick;
-    const sph2d_boundary *b = none ? &open : &sim->scene.boundary;
-    const size_t obstacles = sim->scene.obstacle_count;
+    const sph2d_boundary *b = none ? &open : &sim->world.scene.boundary;
     return (sph2d__sides){.low_x = b->left == SPH2D_SIDE_WALL ? d->min.x : -INFINITY,
                           .high_x = b->right == SPH2D_SIDE_WALL ? d->max.x : INFINITY,
                           .low_y = b->bottom == SPH2D_SIDE_WALL ? d->min.y : -INFINITY,
                           .high_y = b->top == SPH2D_SIDE_WALL ? d->max.y : INFINITY,
-                          .first = none            ? UINT64_MAX
-                                   : obstacles > 0 ? sim->obstacle_ids[obstacles - 1].end
-                                                   : 0};
+                          .first = none ? UINT64_MAX : sim->wall_ids[sim->world.wall_count - 1].end};
 }
 
 bool sph2d__wcsph_set_sides(sph2d_sim *sim)

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+/** @file world.c
+ *  The walls of a world: numbers, names, and what each is by default. */
+#include "scene/world.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "scene/method_table.h"
+#include "scene/motion.h"
+#include "scene/shape.h"
+
+static const char *const words[SPH2D__WALL_OBSTACLE] = {"left", "right", "bottom", "top"};
+
+const char *sph2d__side_word(int side)
+{
+    return words[side];
+}
+
+sph2d_side sph2d__side_of(const sph2d_scene *scene, int side)
+{
+    const sph2d_side sides[] = {scene->boundary.left, scene->boundary.right, scene->boundary.bottom,
+                                scene->boundary.top};
+    return sides[side];
+}
+
+double sph2d__side_distance(const sph2d_box *box, int side, sph2d_vec2 p)
+{
+    const double within[] = {p.x - box->min.x, box->max.x - p.x, p.y - box->min.y, box->max.y - p.y};
+    return within[side];
+}
+
+int sph2d__wall_named(const sph2d__world *world, const char *name)
+{
+    for (size_t k = 0; k < world->wall_count; ++k)
+        if (world->walls[k].name && strcmp(world->walls[k].name, name) == 0)
+            return (int)k;
+    return SPH2D__WALL_ALL;
+}
+
+const char *sph2d__wall_path(char *path, size_t size, const sph2d__wall *wall, const char *rest)
+{
+    if (wall->kind == SPH2D__WALL_IS_SIDE || wall->kind == SPH2D__WALL_IS_BESIDE)
+        snprintf(path, size, "boundary.%s", wall->name);
+    else
+        snprintf(path, size, "%s[%zu]%s", wall->kind == SPH2D__WALL_IS_BODY ? "bodies" : "obstacles", wall->index,
+                 rest);
+    return path;
+}
+
+bool sph2d__wall_moves(const sph2d__wall *wall)
+{
+    return wall->body || sph2d__motion_moves(&wall->motion);
+}
+
+bool sph2d__wall_turns(const sph2d__wall *wall)
+{
+    return wall->body ? wall->body->hold.angle == SPH2D_SWITCH_OFF : sph2d__motion_turns(&wall->motion);
+}
+
+/** The bit of a slip; none for one that is no word, which the checker reports. */
+static unsigned bit_of(sph2d_slip slip)
+{
+    return (unsigned)slip <= SPH2D_SLIP_SMOOTH ? 1u << slip : 0;
+}
+
+unsigned sph2d__wall_slips(const sph2d__world *world)
+{
+    unsigned slips = 0;
+    for (size_t k = 0; k < world->wall_count; ++k) {
+        const sph2d__wall *w = &world->walls[k];
+        bool is_wall = w->kind != SPH2D__WALL_IS_SIDE || sph2d__side_of(&world->scene, (int)k) == SPH2D_SIDE_WALL;
+        if (is_wall && w->form == SPH2D_WALL_GENERALISED)
+            slips |= bit_of(w->slip);
+    }
+    return slips ? slips : bit_of(world->scene.wall_slip);
+}
+
+sph2d_wall_form sph2d__side_form(const sph2d_scene *scene)
+{
+    return scene->walls != SPH2D_WALL_DEFAULT ? scene->walls : sph2d__method_row_of(&scene->method)->side_form;
+}
+
+sph2d_wall_form sph2d__obstacle_form(const sph2d_method_options *method, sph2d_wall_form form)
+{
+    return form != SPH2D_WALL_DEFAULT ? form : sph2d__method_row_of(method)->obstacle_form;
+}
+
+/* ---- the list ---------------------------------------------------------------------------------------------------- */
+
+static sph2d_slip slip_or_scene(const sph2d_scene *scene, sph2d_wall_slip own)
+{
+    switch (own) {
+    case SPH2D_WALL_SLIP_FREE:
+        return SPH2D_SLIP_FREE;
+    case SPH2D_WALL_SLIP_NONE:
+        return SPH2D_SLIP_NONE;
+    case SPH2D_WALL_SLIP_SMOOTH:
+        return SPH2D_SLIP_SMOOTH;
+    case SPH2D_WALL_SLIP_DEFAULT:
+        break;
+    }
+    return scene->wall_slip;
+}
+
+static sph2d__wall side_wall(const sph2d_scene *scene, int side)
+{
+    const sph2d_wall_slip slips[] = {scene->side_slip.left, scene->side_slip.right, scene->side_slip.bottom,
+                                     scene->side_slip.top};
+    return (sph2d__wall){.kind = SPH2D__WALL_IS_SIDE,
+                         .index = (size_t)side,
+                         .name = words[side],
+                         .key = "",
+                         .form = scene->walls,
+                         .slip = slip_or_scene(scene, slips[side]),
+                         .motion = sph2d_motion_default()};
+}
+
+static sph2d__wall obstacle_wall(const sph2d_scene *scene, size_t index)
+{
+    const sph2d_obstacle *o = &scene->obstacles[index];
+    return (sph2d__wall){.kind = SPH2D__WALL_IS_OBSTACLE,
+                         .index = index,
+                         .name = o->name,
+                         .key = sph2d__shape_key(o->shape.kind),
+                         .shape = o->shape,
+                         .liquid = o->liquid,
+                         .form = sph2d__obstacle_form(&scene->method, o->form),
+                         .slip = slip_or_scene(scene, o->slip),
+                         .restitution = o->restitution,
+                         .motion = o->motion};
+}
+
+static sph2d__wall body_wall(const sph2d_scene *scene, size_t index)
+{
+    const sph2d_body *body = &scene->bodies[index];
+    const sph2d_obstacle plain = sph2d_obstacle_default();
+    return (sph2d__wall){.kind = SPH2D__WALL_IS_BODY,
+                         .index = index,
+                         .name = body->name,
+                         .key = sph2d__shape_key(body->shape.kind),
+                         .shape = body->shape,
+                         .form = sph2d__obstacle_form(&scene->method, body->form),
+                         .slip = slip_or_scene(scene, body->slip),
+                         .restitution = plain.restitution,
+                         .motion = plain.motion,
+                         .body = body};
+}
+
+bool sph2d__world_set_walls(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+{
+    const sph2d_scene *scene = &world->scene;
+    const size_t beside = scene->opening_count > 0 ? scene->opening_count + SPH2D__WALL_OBSTACLE : 0; /* at most */
+    world->wall_room = SPH2D__WALL_OBSTACLE + scene->obstacle_count + beside + scene->body_count;
+    world->walls = sph2d__arena_alloc(arena, memory, world->wall_room, sizeof *world->walls);
+    if (!world->walls)
+        return false;
+    size_t count = 0;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        world->walls[count++] = side_wall(scene, side);
+    for (size_t k = 0; k < scene->obstacle_count; ++k)
+        world->walls[count++] = obstacle_wall(scene, k);
+    world->first_body = count;
+    for (size_t k = 0; k < scene->body_count; ++k)
+        world->walls[count++] = body_wall(scene, k);
+    world->wall_count = count;
+    return true;
+}
