@@ -30,8 +30,8 @@ uint32_t world_box(contact_world *world, double x, double y, double width, doubl
 uint32_t world_polygon(contact_world *world, sph2d_points corners, sph2d_vec2 center, double mass, double inertia);
 /** Adds an obstacle at rest, which turns about a centre. */
 void world_obstacle(contact_world *world, sph2d_shape outline, sph2d_vec2 center);
-/** One step; overlaps are measured in each step if wanted. */
-void world_step(contact_world *world, bool measure);
+/** One step; overlaps are measured in it if wanted. */
+void world_step(contact_world *world, bool wanted);
 /** A number of steps, with overlaps measured in each. */
 void world_run(contact_world *world, int steps);
 /** Kinetic energy [J/m]. */

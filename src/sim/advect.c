@@ -125,9 +125,11 @@ static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, kicked 
 /** Keeps a displacement on its side of every wall at rest. */
 static uint64_t sweep_fixed(sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
+    const bool wanted = sph2d__loads_wanted(sim);
     sph2d__stops stops;
-    int hits = sph2d__barrier_sweep(&sim->barrier, from, to, v, sph2d__loads_wanted(sim) ? &stops : NULL);
-    for (int k = 0; hits > 0 && sph2d__loads_wanted(sim) && k < stops.count; ++k)
+    stops.count = 0;
+    int hits = sph2d__barrier_sweep(&sim->barrier, from, to, v, wanted ? &stops : NULL);
+    for (int k = 0; k < stops.count; ++k)
         sph2d__loads_contact(sim, stops.items[k].wall, from, stops.items[k].change, 0);
     return (uint64_t)hits;
 }

@@ -164,9 +164,10 @@ static void add_pull(sph2d__pull *to, sph2d_vec2 arm, double x, double y)
 static sph2d_vec2 rubbed_at(const sph2d_sim *sim, size_t b)
 {
     const sph2d__store *w = &sim->system.walls;
-    double depth = sim->method->surface_force && w->depth && w->normal_x && w->depth[b] < INFINITY ? w->depth[b] : 0;
-    return depth > 0 ? (sph2d_vec2){w->x[b] + depth * w->normal_x[b], w->y[b] + depth * w->normal_y[b]}
-                     : (sph2d_vec2){w->x[b], w->y[b]};
+    const sph2d_vec2 at = {w->x[b], w->y[b]};
+    if (!sim->method->surface_force || !w->depth || !w->normal_x || !(w->depth[b] > 0 && w->depth[b] < INFINITY))
+        return at;
+    return (sph2d_vec2){at.x + w->depth[b] * w->normal_x[b], at.y + w->depth[b] * w->normal_y[b]};
 }
 
 /** Sums over the boundary particles of a load's wall; each force along x and y counts for its own wall. */

@@ -102,8 +102,8 @@ static size_t files_of(sph2d_scene *scene, sph2d_block *blocks, const char **fil
 static char *text_elsewhere(const char *from, const sph2d_scene *scene)
 {
     sph2d_scene moved = *scene;
-    sph2d_block *blocks = malloc((scene->block_count + 1) * sizeof *blocks);
-    const char ***files = malloc((2 * scene->block_count + 3) * sizeof *files);
+    sph2d_block *blocks = calloc(scene->block_count + 1, sizeof *blocks);
+    const char ***files = calloc(2 * scene->block_count + 3, sizeof *files);
     char **paths = calloc(2 * scene->block_count + 3, sizeof *paths), *text = NULL;
     size_t count = 0;
     if (blocks && files && paths) {
@@ -111,7 +111,7 @@ static char *text_elsewhere(const char *from, const sph2d_scene *scene)
             memcpy(blocks, scene->blocks, scene->block_count * sizeof *blocks);
         moved.blocks = blocks;
         count = files_of(&moved, blocks, files);
-        for (size_t k = 0; k < count; ++k) {
+        for (size_t k = 0; k < count && files[k]; ++k) {
             paths[k] = *files[k] ? whole_path(from, *files[k]) : NULL;
             *files[k] = paths[k] ? paths[k] : *files[k];
         }

@@ -98,7 +98,7 @@ static void read_settings(void)
         which = strtol(text + length + 1, &end, 10);
         onwards = *end == '+';
         end += onwards;
-        error_number = *end == ':' ? atoi(end + 1) : usual_errno[k];
+        error_number = *end == ':' ? (int)strtol(end + 1, NULL, 10) : usual_errno[k];
     }
 }
 
@@ -116,6 +116,8 @@ __attribute__((destructor)) static void report(void)
     if (fd >= 0 && write(fd, text, (size_t)length) == length)
         close(fd);
 }
+
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name): glibc names parameters by reserved words.
 
 /** Processes that end by this call no destructors. */
 void _exit(int code)
@@ -305,3 +307,5 @@ int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*
     openmp_makes_thread = false;
     return status;
 }
+
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)

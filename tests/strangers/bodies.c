@@ -89,7 +89,7 @@ static size_t along_count(const sph2d_shape *o)
     if (o->kind == SPH2D_SHAPE_ARC)
         return PIECES + 1;
     const size_t edges = is_open(o) ? corner_count(o) - 1 : corner_count(o);
-    return edges * (PIECES / edges + 1);
+    return edges > 0 ? edges * (PIECES / edges + 1) : 0;
 }
 
 // ---- mass ----------------------------------------------------------------------------------------------------------
