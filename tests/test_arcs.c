@@ -7,7 +7,7 @@
 
 #include "common.h"
 #include "scene/derive.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 #include "sim/simulation.h"
 

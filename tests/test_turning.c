@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "common.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "sim/simulation.h"
 
 static sph2d_scene scene;

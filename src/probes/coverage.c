@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 
 /* Cells a spacing, and the kernel's support radius in spacings and cells. */
 enum { CELLS = SPH2D__COVERAGE_CELLS, SUPPORT = SPH2D__COVERAGE_SUPPORT, REACH = SUPPORT * CELLS };

@@ -12,7 +12,7 @@
 #include "probes/probes.h"
 #include "run/run.h"
 #include "scene/frame.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/method_table.h"
 #include "scene/resolve.h"
 #include "sim/stages.h"

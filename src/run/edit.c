@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "run/run.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 
 /** Whether a position lies in a solid, where this is now. */

@@ -10,10 +10,9 @@
 #include "base/null.h"
 #include "scene/checker.h"
 #include "scene/derive.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/openings.h"
 #include "scene/shape.h"
-#include "scene/start.h"
 #include "sph2d/key.h"
 
 /* Smallest spacing over the largest coordinate: leaves three digits for the distance between neighbours. */

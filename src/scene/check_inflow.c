@@ -4,9 +4,9 @@
 #include <math.h>
 
 #include "scene/checker.h"
+#include "scene/liquid.h"
 #include "scene/openings.h"
 #include "scene/shape.h"
-#include "scene/start.h"
 
 typedef sph2d__checker checker;
 

@@ -8,7 +8,7 @@
 
 #include "kernels/kernel.h"
 #include "scene/checker.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/method_table.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"

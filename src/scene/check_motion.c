@@ -9,11 +9,10 @@
 #include "scene/checker.h"
 #include "scene/derive.h"
 #include "scene/frame.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/shape.h"
-#include "scene/start.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;

@@ -11,7 +11,7 @@
 
 #include "base/memory.h"
 #include "scene/checker.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/method_table.h"
 #include "scene/shape.h"
 #include "scene/solids.h"

@@ -6,7 +6,7 @@
 
 #include "base/pi.h"
 #include "scene/checker.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };

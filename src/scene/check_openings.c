@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "scene/checker.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"

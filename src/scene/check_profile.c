@@ -5,7 +5,6 @@
 #include <stdio.h>
 
 #include "scene/checker.h"
-#include "scene/opening_profile.h"
 #include "scene/openings.h"
 
 /** The first point that does not go on as the points before it: the same increasing places at each of increasing times;

@@ -5,10 +5,9 @@
 
 #include "scene/checker.h"
 #include "scene/flood.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/openings.h"
 #include "scene/shape.h"
-#include "scene/start.h"
 
 /* Most cells times what is put into them or asked for; most places looked at in a drain; and most of all places that are
  * compared with every obstacle. Beyond, nothing is told. */

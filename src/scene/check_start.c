@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "scene/checker.h"
-#include "scene/start.h"
+#include "scene/liquid.h"
 
 typedef sph2d__checker checker;
 

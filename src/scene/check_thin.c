@@ -19,7 +19,7 @@
 #include <stdio.h>
 
 #include "scene/checker.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 
 /* Maximum number of samples along a wall segment; and steps per spacing across it. */

@@ -10,12 +10,12 @@
 #include "base/memory.h"
 #include "scene/bodies.h"
 #include "scene/frame.h"
+#include "scene/liquid.h"
 #include "scene/method_table.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
-#include "scene/start.h"
 
 /** Largest distance of a shape's corners from a point. */
 static double farthest(const sph2d_shape *shape, sph2d_vec2 c)

@@ -21,6 +21,25 @@ const sph2d_opening *sph2d__opening_named(const sph2d_scene *scene, const char *
 
 sph2d__mouth sph2d__opening_mouth(const sph2d_scene *scene, const sph2d_opening *opening);
 
+/** Number of places at each time of valid points: those that have the time of the first. */
+size_t sph2d__profile_places(const sph2d_path *profile);
+
+/** Velocity into the domain at a place along the side [m] and a time, of points that are valid and not none [m/s]; beyond
+ *  the places and times that of the nearest. */
+double sph2d__profile_velocity(const sph2d_path *profile, double place, double time);
+
+/** Its mean from one place to another. */
+double sph2d__profile_mean(const sph2d_path *profile, double from, double to, double time);
+
+/** The largest size of a point [m/s]. */
+double sph2d__profile_largest(const sph2d_path *profile);
+
+/** The named profiles: velocity over its mean; z from 0 to 1 across the opening. */
+double sph2d__profile_shape(sph2d_opening_profile profile, double z);
+
+/** The largest value of such a profile. */
+double sph2d__profile_peak(sph2d_opening_profile profile);
+
 /** What an opening prescribes. */
 typedef enum sph2d__opening_kind {
     SPH2D__OPENING_VELOCITY,

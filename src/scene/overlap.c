@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 
 /** An outline as its pieces, where its wall is at a time. */

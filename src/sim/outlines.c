@@ -4,7 +4,7 @@
  *  openings are left to the solids beside these (scene/openings.h). */
 #include "sim/outlines.h"
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/openings.h"
 #include "sim/simulation.h"
 

@@ -3,7 +3,7 @@
  *  Which positions are free of obstacles. */
 #include <math.h>
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "start/start.h"
 
 /* Clearance of the liquid from an obstacle's surface [spacings]. Layers of boundary particles begin half a spacing

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 #include "start/start.h"
 

@@ -7,8 +7,7 @@
 #include <unistd.h>
 
 #include "base/random.h"
-#include "scene/liquid_side.h"
-#include "scene/start.h"
+#include "scene/liquid.h"
 #include "start/start.h"
 
 /** Gives single particles, from `first` on, what the scene starts with; densities that were given stay. */

@@ -7,7 +7,7 @@
  *  other, and an impermeable back. */
 #include <math.h>
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 #include "start/layers.h"
 #include "start/start.h"

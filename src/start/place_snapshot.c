@@ -9,7 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "start/cloud.h"
 #include "start/packing.h"
 #include "start/start.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "kernels/muller.h"
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "start/start.h"
 
 /* Clearance of the barriers [spacings]: well within the distance that pressure and springs maintain. */

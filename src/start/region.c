@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 #include "start/cloud.h"

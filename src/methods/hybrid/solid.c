@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "scene/liquid_side.h"
+#include "scene/liquid.h"
 #include "scene/shape.h"
 
 /* Part of a spacing within which an outline lies along a side. */

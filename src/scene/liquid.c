@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/** @file liquid_side.c
- *  Finds the wet side of an open line, and converts lines that are wet on both sides to solids. */
-#include "scene/liquid_side.h"
+/** @file liquid.c
+ *  The liquid of a scene: what it starts with, where it is, and which sides of lines it wets. */
+#include "scene/liquid.h"
 
 #include <math.h>
 #include <string.h>
@@ -12,6 +12,35 @@
 static const double MAX_ALONG = 2000, MAX_ACROSS = 40;
 /* Mitre limit, as a multiple of the offset: lines that turn by more than 120 degrees have no solid. */
 static const double MITRE_LIMIT = 2;
+
+/* ---- what it starts with ----------------------------------------------------------------------------------------- */
+
+bool sph2d__starts_from_snapshot(const sph2d_scene *scene)
+{
+    const sph2d_cloud *snapshot = &scene->start.snapshot;
+    return (snapshot->file || snapshot->count > 0) && !scene->particles.file && scene->particles.count == 0;
+}
+
+bool sph2d__liquid_is_from_file(const sph2d_scene *scene)
+{
+    return scene->particles.file || sph2d__starts_from_snapshot(scene);
+}
+
+double sph2d__start_speed(const sph2d_start *start)
+{
+    const sph2d_grid *grid = &start->table;
+    const sph2d_cloud *cloud = &start->snapshot;
+    double speed = fabs(start->flow.speed);
+    if (start->top_speed > 0)
+        return start->top_speed;
+    for (size_t k = 0; k < grid->nx * grid->ny; ++k)
+        speed = fmax(speed, hypot(grid->vx ? grid->vx[k] : 0, grid->vy ? grid->vy[k] : 0));
+    for (size_t k = 0; cloud->items && k < cloud->count; ++k)
+        speed = fmax(speed, hypot(cloud->items[k].vx, cloud->items[k].vy));
+    return speed;
+}
+
+/* ---- solids and blocks ------------------------------------------------------------------------------------------- */
 
 double sph2d__layer_thickness(const sph2d_scene *scene)
 {
@@ -94,6 +123,8 @@ bool sph2d__liquid_fills(const sph2d__world *world)
         }
     return true;
 }
+
+/* ---- wet sides --------------------------------------------------------------------------------------------------- */
 
 /** Distance of a position from a line [m]; *side is positive on its left. Of two equally near segments, at a corner,
  *  both count. */

@@ -1,10 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/** @file liquid_side.h
- *  The wet side of an open line, and the solid that a line becomes if both sides are wet. */
-#ifndef SPH2D_SCENE_LIQUID_SIDE_H
-#define SPH2D_SCENE_LIQUID_SIDE_H
+/** @file liquid.h
+ *  The liquid of a scene: what it starts with, where it is, which side of an open line it wets, and the solid that a line
+ *  becomes if both are wet. */
+#ifndef SPH2D_SCENE_LIQUID_H
+#define SPH2D_SCENE_LIQUID_H
 
 #include "scene/world.h"
+
+/** Whether a scene has the liquid of a snapshot: it names one, and no particles that take their values from it. */
+bool sph2d__starts_from_snapshot(const sph2d_scene *scene);
+
+/** Whether it has liquid of a file: single particles, or those of a snapshot. */
+bool sph2d__liquid_is_from_file(const sph2d_scene *scene);
+
+/** The largest speed of a start, without the velocity that it is added to [m/s]: as given, or of its values. */
+double sph2d__start_speed(const sph2d_start *start);
 
 /** Thickness of the layers of a generalised wall of a resolved scene: whole spacings, at least the support radius [m]. */
 double sph2d__layer_thickness(const sph2d_scene *scene);
