@@ -304,7 +304,7 @@ START_TEST(densities_and_energies_of_no_liquid_are_stopped)
     ck_assert_double_lt(sum.energy_rise, 0.001 * sum.energy_scale);
     sph2d__store *f = &sim->system.fluid;
     if (_i < 2)
-        f->excess[7] = log(factors[_i]);
+        f->log_density[7] = log(factors[_i]);
     else
         for (size_t i = 0; i < f->count; ++i)
             f->vx[i] += 0.5 * sqrt(head); /* m v^2/2 is a quarter of the scale */

@@ -155,7 +155,7 @@ START_TEST(layered_walls_fill_like_liquid)
     for (size_t i = 0; i < f->count; ++i)
         ck_assert_double_eq_tol(f->density[i], RHO0, 1e-9);
     for (size_t b = 0; b < w->count; ++b) /* near corners liquid is on one side only */
-        if (w->x[b] > 3 * DX && w->x[b] < 13 * DX && w->filling[b] > 0)
+        if (w->x[b] > 3 * DX && w->x[b] < 13 * DX && w->filled[b] > 0)
             ck_assert_double_eq_tol(w->density[b], RHO0, 1e-9);
 }
 END_TEST
@@ -210,7 +210,7 @@ START_TEST(forces_are_the_transpose_of_the_rate)
         f->ax[i] = f->ay[i] = 0;
     }
     for (size_t b = 0; b < w->count; ++b) { /* a multiplier where there is no row means nothing */
-        w->multiplier[b] = w->filling[b] > 0 ? test_random(&random, 0, 1) : 0;
+        w->multiplier[b] = w->filled[b] > 0 ? test_random(&random, 0, 1) : 0;
         w->vx[b] = w->vy[b] = 0;
     }
     predict(s, 0, fluid[0], walls[0]);

@@ -137,7 +137,7 @@ START_TEST(rows_behind_the_last_count_as_nothing)
     sph2d_sim *clean = test_create(&scene, NULL), *soiled = test_create(&scene, NULL);
     sph2d__store *f = &soiled->system.fluid;
     for (int n = 0; n < 30; ++n) {
-        double *arrays[] = {f->x, f->vy, f->ax, f->ay, f->next_x, f->excess, f->stored, f->density};
+        double *arrays[] = {f->x, f->vy, f->ax, f->ay, f->next_x, f->log_density, f->stored, f->density};
         for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k)
             for (size_t i = f->count; arrays[k] && i < f->count + 8; ++i)
                 arrays[k][i] = NAN;

@@ -131,8 +131,8 @@ START_TEST(the_origin_of_a_period_changes_nothing)
         g->ax[i] = f->ax[i];
         g->ay[i] = f->ay[i];
         g->density[i] = f->density[i];
-        if (f->excess)
-            g->excess[i] = f->excess[i];
+        if (f->log_density)
+            g->log_density[i] = f->log_density[i];
         g->id[i] = f->id[i];
     }
     sims[1]->record.next_step = sims[0]->record.next_step;

@@ -23,6 +23,8 @@ enum { SPH2D__PADDING = 16 };
     X(ay)                                                                                                              \
     X(old_ax) /* acceleration of the previous step, while a step needs both */                                         \
     X(old_ay)                                                                                                          \
+    X(free_ax) /* acceleration without pressure, of a step with a pressure solver [m/s^2] */                           \
+    X(free_ay)                                                                                                         \
     X(density)      /* [kg/m^3] */                                                                                     \
     X(pressure)     /* that is reported [Pa]; by which pairs act, too, where acting_pressure is missing */             \
     X(volume)       /* mass over density [m^2] */                                                                      \
@@ -31,22 +33,22 @@ enum { SPH2D__PADDING = 16 };
     X(density_rate) /* material derivative of density [kg/(m^3 s)] */                                                  \
     X(shift_x)      /* shift velocity [m/s] */                                                                         \
     X(shift_y)                                                                                                         \
-    X(shift_ax) /* rates of velocity and density by advection with the shift velocity */                               \
+    X(shift_ax) /* added to the rates of velocity and density: advection with the shift velocity; in reservoirs less \
+                 * these rates, so that what is prescribed holds */ \
     X(shift_ay)                                                                                                        \
     X(shift_density_rate)                                                                                              \
     X(normal_x) /* unit normal from a boundary particle to the wall's surface */                                       \
     X(normal_y)                                                                                                        \
     X(depth)    /* depth of a boundary particle below the surface [m] */                                               \
-    X(filling)  /* part of the support outside walls that other liquid fills: 1 inside, half at a surface; of walls: \
-                 * density over rest density by liquid that fills the front of a boundary particle: projection.h */ \
+    X(filling)  /* part of the support outside walls that other liquid fills: 1 inside, half at a surface */           \
+    X(filled)   /* of a boundary particle: density over rest density by liquid that fills its front: projection.h */   \
     X(stretch)  /* (dvx/dx - dvy/dy)/2 [1/s] */                                                                        \
     X(shear)    /* (dvx/dy + dvy/dx)/2 [1/s] */                                                                        \
     X(rotation) /* (dvy/dx - dvx/dy)/2 [1/s] */                                                                        \
     X(skin)     /* length of surface that a boundary particle of the first layer represents, 0 in others [m] */        \
     X(drag)     /* friction of a smooth wall over the sum of kernel weights: friction.h */                             \
-    X(excess)   /* density minus the hydrostatic density at the same position, up to a constant [kg/m^3]; with \
-                        * variational operators the logarithm of density over rest density */       \
-    X(stored)   /* a particle's energy of close pairs and beside sides [J/kg]: wcsph.h */                              \
+    X(log_density)     /* logarithm of density over rest density */                                                    \
+    X(stored)          /* a particle's energy of close pairs and beside sides [J/kg]: wcsph.h */                       \
     X(acting_pressure) /* by which pairs act where another is reported [Pa]: muller.h, projection.h */                 \
     X(next_x)          /* position predicted by a pressure solver */                                                   \
     X(next_y)                                                                                                          \

@@ -92,8 +92,8 @@ static sph2d_status place_cell(sph2d_sim *sim, const extent *x, long i, const ex
     if (status != SPH2D_OK)
         return status;
     set_speed(sim, x, i, y, j);
-    if (sim->system.walls.filling)
-        sim->system.walls.filling[sim->system.walls.count - 1] = filled_sum(sim, x, y, p);
+    if (sim->system.walls.filled)
+        sim->system.walls.filled[sim->system.walls.count - 1] = filled_sum(sim, x, y, p);
     return SPH2D_OK;
 }
 

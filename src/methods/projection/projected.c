@@ -59,18 +59,18 @@ static void drift(sph2d_sim *sim, double dt, sph2d__batch *w)
     }
 }
 
-/** Kick and drift; the acceleration is that without pressure again, which old_ax and old_ay are. */
+/** Kick and drift; the acceleration is that without pressure again, which free_ax and free_ay are. */
 static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
     sph2d__store *f = &sim->system.fluid;
     for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        double kept_x = sim->split * (f->ax[i] - f->old_ax[i]), kept_y = sim->split * (f->ay[i] - f->old_ay[i]);
+        double kept_x = sim->split * (f->ax[i] - f->free_ax[i]), kept_y = sim->split * (f->ay[i] - f->free_ay[i]);
         w->vx[k] = f->vx[i] + dt * (f->ax[i] - kept_x);
         w->vy[k] = f->vy[i] + dt * (f->ay[i] - kept_y);
         w->dx[k] = dt / 2 * w->vx[k] + dt * dt * kept_x;
         w->dy[k] = dt / 2 * w->vy[k] + dt * dt * kept_y;
-        f->ax[i] = f->old_ax[i];
-        f->ay[i] = f->old_ay[i];
+        f->ax[i] = f->free_ax[i];
+        f->ay[i] = f->free_ay[i];
     }
 }
 
@@ -81,7 +81,7 @@ static void sum_work(sph2d__system *s, const sph2d__slab *slab, const void *with
     double dt = s->step, work = 0, slope = 0, weight = 0;
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i) {
-        double ax = f->ax[i], ay = f->ay[i], bx = f->old_ax[i], by = f->old_ay[i];
+        double ax = f->ax[i], ay = f->ay[i], bx = f->free_ax[i], by = f->free_ay[i];
         double px = dt * (ax - bx), py = dt * (ay - by), vx = f->vx[i], vy = f->vy[i];
         work += px * (vx + dt / 2 * ax) + py * (vy + dt / 2 * ay);
         slope += px * (vx + dt * ax) + py * (vy + dt * ay);

@@ -150,8 +150,8 @@ static void keep_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
     (void)s;
     (void)with;
     (void)sum;
-    memcpy(f->old_ax + slab->first, f->ax + slab->first, bytes);
-    memcpy(f->old_ay + slab->first, f->ay + slab->first, bytes);
+    memcpy(f->free_ax + slab->first, f->ax + slab->first, bytes);
+    memcpy(f->free_ay + slab->first, f->ay + slab->first, bytes);
 }
 
 void sph2d__projection_keep(sph2d__system *s)
@@ -259,8 +259,8 @@ static void fill_layers(sph2d__system *s)
     double scale = s->calibration * sph2d__kernel_constant(s->method.kernel);
     for (size_t b = 0; b < w->count; ++b) {
         bool straight = w->depth[b] > 0 && w->depth[b] < INFINITY;
-        double room = w->filling[b];
-        w->filling[b] = !straight ? 0 : room > 0 ? scale * room : filled_at(s, w->depth[b]);
+        double room = w->filled[b];
+        w->filled[b] = !straight ? 0 : room > 0 ? scale * room : filled_at(s, w->depth[b]);
     }
 }
 

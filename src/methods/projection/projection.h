@@ -59,7 +59,7 @@ void sph2d__projection_predict(sph2d__system *system, const sph2d__slab *slab);
 void sph2d__projection_begin(sph2d__system *system, double part);
 void sph2d__projection_end(sph2d__system *system);
 
-/** Keeps the accelerations without pressure in old_ax and old_ay. */
+/** Keeps the accelerations without pressure in free_ax and free_ay. */
 void sph2d__projection_keep(sph2d__system *system);
 
 /** Adds the acceleration by the pressures of the step before. */
@@ -93,15 +93,15 @@ void sph2d__projection_prepare(sph2d__system *system);
     (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(acting_pressure) | SPH2D__BIT(multiplier) |               \
      SPH2D__BIT(residual) | SPH2D__BIT(direction))
 #define SPH2D__PROJECTION_FLUID                                                                                        \
-    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(old_ax) |              \
-     SPH2D__BIT(old_ay) | SPH2D__BIT(stretch) | SPH2D__BIT(shear) | SPH2D__BIT(density_rate))
+    (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(free_ax) |             \
+     SPH2D__BIT(free_ay) | SPH2D__BIT(stretch) | SPH2D__BIT(shear) | SPH2D__BIT(density_rate))
 #define SPH2D__PROJECTION_CARRIED                                                                                      \
     (SPH2D__STORE_BASIC | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(acting_pressure) | SPH2D__BIT(ax) |  \
      SPH2D__BIT(ay))
 #define SPH2D__PROJECTION_WALLS                                                                                        \
     (SPH2D__STORE_BASIC | SPH2D__PROJECTION_ROWS | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(depth) |   \
      SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) |                  \
-     SPH2D__BIT(bounce) | SPH2D__BIT(filling) | SPH2D__BIT(diagonal))
+     SPH2D__BIT(bounce) | SPH2D__BIT(filled) | SPH2D__BIT(diagonal))
 
 /** Gathering for the particles of one slab, compiled once for each instruction set and kernel; false when it is full.
  */

@@ -71,7 +71,7 @@ SPH2D__INLINE void gather_walls(sph2d__system *s, sph2d__pairs *to, size_t first
                      .from = &s->fluid,
                      .period = &s->fluid_cells.period};
     *at = (sph2d__slice){.begin = to->next};
-    sph2d__pairs_search(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filling);
+    sph2d__pairs_search(to, &to->fluid, &s->fluid_cells, &s->fluid, w, first, h2, false, w->filled);
     at->fluid = sph2d__pairs_write(n, to, s->fluid.count);
     sum_slots(n, at->begin, at->fluid, &weigh, kernel, &sum);
     for (int l = 0; l < SPH2D__LANES && first + (size_t)l < w->count; ++l)

@@ -81,7 +81,7 @@ SPH2D__INLINE void finish_wall(sph2d__system *s, size_t b, const slice *sum, int
     sph2d__store *w = &s->walls;
     double h2 = s->support * s->support;
     double added = sph2d__kernel_constant(kernel) / h2 * s->mass / w->mass[b] * sum->value[l];
-    w->density[b] = s->rest_density * (1 + (near ? added - w->filling[b] : 0));
+    w->density[b] = s->rest_density * (1 + (near ? added - w->filled[b] : 0));
     w->diagonal[b] = sum->square[l];
 }
 

@@ -156,7 +156,7 @@ SPH2D__INLINE void predict_walls(sph2d__system *s, size_t first, size_t last, sp
         sph2d__lanes x = sph2d__lanes_load(w->x + b) + s->step * sph2d__lanes_load(w->vx + b);
         sph2d__lanes y = sph2d__lanes_load(w->y + b) + s->step * sph2d__lanes_load(w->vy + b);
         sph2d__lanes added = scale * s->mass * values(s, n, at.begin, at.fluid, x, y, kernel);
-        sph2d__lanes left = sph2d__lanes_load(w->mass + b) / s->mass * (added - sph2d__lanes_load(w->filling + b));
+        sph2d__lanes left = sph2d__lanes_load(w->mass + b) / s->mass * (added - sph2d__lanes_load(w->filled + b));
         const sph2d__lanes none = {0};
         sph2d__lanes_store(w->residual + b, sph2d__lanes_where(sph2d__lanes_load(w->diagonal + b), none, left));
     }

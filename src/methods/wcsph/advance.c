@@ -79,7 +79,7 @@ static const double RELAXATION_TIME = 100;
 /** What a particle's theta changes by, in a part of its way to the sum. */
 static double relaxed(const sph2d__system *s, size_t i, double part)
 {
-    return part * s->frozen->summed[i] / sph2d__density_ratio(s->fluid.excess[i]);
+    return part * s->frozen->summed[i] / sph2d__density_ratio(s->fluid.log_density[i]);
 }
 
 /** Sums up theta^2/2 that relaxation adds. */
@@ -88,7 +88,7 @@ static void sum_relaxed(sph2d__system *s, const sph2d__slab *slab, const void *w
     const double *part = with;
     for (size_t i = slab->first; i < slab->last; ++i) {
         const double change = relaxed(s, i, *part);
-        sum->first += change * (s->fluid.excess[i] + change / 2);
+        sum->first += change * (s->fluid.log_density[i] + change / 2);
     }
 }
 
@@ -97,7 +97,7 @@ static void relax_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
     const double *part = with;
     sum_relaxed(s, slab, with, sum);
     for (size_t i = slab->first; i < slab->last; ++i)
-        s->fluid.excess[i] += relaxed(s, i, *part);
+        s->fluid.log_density[i] += relaxed(s, i, *part);
 }
 
 /** Energy dissipated so far [J/m]. */
@@ -184,8 +184,8 @@ static void report(sph2d__system *s, size_t first, size_t last)
     const sph2d__store *f = &s->fluid;
     const double c2 = s->sound_speed * s->sound_speed;
     for (size_t i = first; i < last; ++i) {
-        f->density[i] = s->rest_density * sph2d__density_ratio(f->excess[i]);
-        f->pressure[i] = f->density[i] * c2 * f->excess[i];
+        f->density[i] = s->rest_density * sph2d__density_ratio(f->log_density[i]);
+        f->pressure[i] = f->density[i] * c2 * f->log_density[i];
     }
 }
 
@@ -217,7 +217,7 @@ static void impose(sph2d_sim *sim)
         return;
     const double before = withheld_power(s);
     for (size_t i = 0; i < s->fluid.count; ++i)
-        s->fluid.density[i] = s->rest_density * sph2d__density_ratio(s->fluid.excess[i]);
+        s->fluid.density[i] = s->rest_density * sph2d__density_ratio(s->fluid.log_density[i]);
     sph2d__openings_impose(sim);
     for (size_t i = 0; i < s->fluid.count; ++i)
         if (z->held[i] > 0)
@@ -287,7 +287,7 @@ static void hold(sph2d_sim *sim)
     for (size_t i = 0; z->holds && i < f->count; ++i) {
         const sph2d__opening *o = sph2d__opening_at(sim, f->x[i], f->y[i]);
         z->held[i] = o != NULL;
-        z->held_excess[i] = f->excess[i];
+        z->held_excess[i] = f->log_density[i];
         if (o)
             z->summed[i] = z->shift_x[i] = z->shift_y[i] = 0;
         if (sim->system.method.name == SPH2D_METHOD_CONSTRAINT)

@@ -80,7 +80,7 @@ static void expect_some(sph2d__system *s, size_t first, size_t last)
     sph2d__frozen *z = s->frozen;
     const sph2d__store *f = &s->fluid;
     for (size_t i = first; i < last; ++i) {
-        const float row[4] = {0, 0, 0, (float)f->excess[i]};
+        const float row[4] = {0, 0, 0, (float)f->log_density[i]};
         memcpy(z->press + 4 * i, row, sizeof row);
         z->px[i] += z->dt / 2 * f->vx[i];
         z->py[i] += z->dt / 2 * f->vy[i];
@@ -118,7 +118,7 @@ static void relax_some(sph2d__system *s, size_t first, size_t last)
     sph2d__frozen *z = s->frozen;
     const double part = fmin(z->dt * sqrt(sph2d__head_of_sound(s)) / (RELAXATION * s->spacing), 1);
     for (size_t i = first; i < last; ++i)
-        z->summed[i] *= part / sph2d__density_ratio(s->fluid.excess[i]);
+        z->summed[i] *= part / sph2d__density_ratio(s->fluid.log_density[i]);
 }
 
 /** What friction takes of particle i, which had velocity v, in the step [J/kg]. Where the liquid is thick, of the flow that it
@@ -138,8 +138,8 @@ static void pay_slab(sph2d__system *s, const sph2d__slab *slab, const void *with
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i) {
         const double p = z->solved[i], relaxed = z->summed[i];
-        const double then = z->soft[i] * p + (1 - c2 * z->soft[i]) * f->excess[i];
-        const double squeezed = (then - f->excess[i]) / part, before = f->excess[i] - part * relaxed;
+        const double then = z->soft[i] * p + (1 - c2 * z->soft[i]) * f->log_density[i];
+        const double squeezed = (then - f->log_density[i]) / part, before = f->log_density[i] - part * relaxed;
         const double cost = m * c2 * relaxed * then, change = squeezed + relaxed;
         sum->first += cost;
         sum->second += cost + m * (p * squeezed - c2 * change * (before + change / 2));
@@ -190,7 +190,7 @@ static void press(sph2d__frozen *z, size_t i, double p)
 static double known(const sph2d__system *s, size_t i)
 {
     const double c2 = s->sound_speed * s->sound_speed;
-    return s->frozen->holds && s->frozen->known[i] > 0 ? c2 * s->fluid.excess[i] : 0;
+    return s->frozen->holds && s->frozen->known[i] > 0 ? c2 * s->fluid.log_density[i] : 0;
 }
 
 /** The pressures that are known: those of reservoirs. */
@@ -228,9 +228,9 @@ static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
     const bool again = with != NULL;
     for (size_t i = slab->first; i < slab->last; ++i) {
         const bool held = z->holds && z->known[i] > 0;
-        const double theta = s->fluid.excess[i] + (again ? 0 : z->diffused[i] + w / z->dt * z->summed[i]),
+        const double theta = s->fluid.log_density[i] + (again ? 0 : z->diffused[i] + w / z->dt * z->summed[i]),
                      p = known(s, i);
-        s->fluid.excess[i] = theta;
+        s->fluid.log_density[i] = theta;
         z->soft[i] = 1 / (held ? c2 : stiff);
         z->solved[i] = held ? p : 0;
         z->residual[i] = w * (z->product[i] - z->acts[i] * z->wall_rate[i]) + (held ? 0 : c2 / stiff * theta);
@@ -387,7 +387,7 @@ static void take_back_slab(sph2d__system *s, const sph2d__slab *slab, const void
     sph2d__frozen *z = s->frozen;
     (void)sum;
     for (size_t i = slab->first; i < slab->last; ++i) {
-        s->fluid.excess[i] -= (1 - *part) * z->ahead / z->dt * z->summed[i];
+        s->fluid.log_density[i] -= (1 - *part) * z->ahead / z->dt * z->summed[i];
         z->summed[i] *= *part;
         if (clings(s, i))
             z->acts[i] = 0;

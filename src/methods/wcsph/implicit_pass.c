@@ -10,7 +10,7 @@ SPH2D__INLINE void find_acts(sph2d__system *s, size_t i)
 {
     const vectors v = load(s->fluid.vx, s->fluid.vy, i), wall = load(s->frozen->sx, s->frozen->sy, i);
     const sph2d__lanes by = 2 * dot(v, wall) - sph2d__lanes_load(s->frozen->wall_rate + i);
-    sph2d__lanes_store(s->frozen->acts + i, acts_at(s, i, sph2d__lanes_load(s->fluid.excess + i), by));
+    sph2d__lanes_store(s->frozen->acts + i, acts_at(s, i, sph2d__lanes_load(s->fluid.log_density + i), by));
 }
 
 static void rest(sph2d__system *s, size_t first, size_t last)
@@ -93,7 +93,7 @@ SPH2D__INLINE void diffuse(sph2d__system *s, size_t i, size_t last, const force_
     const double stiffness = s->mass * s->sound_speed * s->sound_speed;
     const double rate = SPH2D__DIFFUSION * s->sound_speed * z->dt,
                  most = MOST_DIFFUSED * s->support / s->lattice_slopes;
-    const sph2d__lanes theta = sph2d__lanes_load(s->fluid.excess + i);
+    const sph2d__lanes theta = sph2d__lanes_load(s->fluid.log_density + i);
     sph2d__lanes change = -(rate < most ? rate : most) * f->diffused;
     if (z->holds)
         change = (1 - sph2d__lanes_load(z->known + i)) * change;
@@ -264,7 +264,7 @@ SPH2D__INLINE void compress(sph2d__system *s, size_t i, size_t last, sph2d__slab
 {
     sph2d__frozen *z = s->frozen;
     const double c2 = s->sound_speed * s->sound_speed, part = z->ahead / z->dt;
-    const sph2d__lanes theta = sph2d__lanes_load(s->fluid.excess + i), soft = sph2d__lanes_load(z->soft + i),
+    const sph2d__lanes theta = sph2d__lanes_load(s->fluid.log_density + i), soft = sph2d__lanes_load(z->soft + i),
                        p = sph2d__lanes_load(z->solved + i), relaxed = sph2d__lanes_load(z->summed + i);
     const sph2d__lanes damped = 1 - c2 * soft; /* e over c0^2 + e */
     sph2d__lanes squeezed = (1 / part) * (soft * p + damped * theta - theta);
@@ -275,7 +275,7 @@ SPH2D__INLINE void compress(sph2d__system *s, size_t i, size_t last, sph2d__slab
         add_lanes(&sum->third, s->mass * c2 * known * theta / part * sph2d__lanes_load(z->residual + i), i, last);
         squeezed = (1 - known) * squeezed;
     }
-    sph2d__lanes_store(s->fluid.excess + i, before + (squeezed + relaxed));
+    sph2d__lanes_store(s->fluid.log_density + i, before + (squeezed + relaxed));
 }
 
 SPH2D__INLINE void move(sph2d__system *s, size_t i, size_t last, sph2d__slab_sum *sum)

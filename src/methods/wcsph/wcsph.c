@@ -84,8 +84,8 @@ static double log_density(double ratio)
 static void take_density(sph2d__system *s, size_t i)
 {
     const sph2d__store *f = &s->fluid;
-    f->excess[i] = log_density(f->density[i] / s->rest_density);
-    f->pressure[i] = f->density[i] * s->sound_speed * s->sound_speed * f->excess[i];
+    f->log_density[i] = log_density(f->density[i] / s->rest_density);
+    f->pressure[i] = f->density[i] * s->sound_speed * s->sound_speed * f->log_density[i];
 }
 
 static void start(sph2d__system *s, size_t first, size_t last)
@@ -109,7 +109,7 @@ static bool evaluate(sph2d__system *s)
 static double elastic(const sph2d__system *s, size_t i, bool stepped)
 {
     (void)stepped;
-    return s->sound_speed * s->sound_speed * s->fluid.excess[i] * s->fluid.excess[i] / 2 + s->fluid.stored[i];
+    return s->sound_speed * s->sound_speed * s->fluid.log_density[i] * s->fluid.log_density[i] / 2 + s->fluid.stored[i];
 }
 
 /** By the means over the step, at the places of its middle. */
@@ -165,10 +165,10 @@ static void side_push(const sph2d__system *s, size_t i, double push[4])
 /* What both time schemes share. */
 #define OPERATORS                                                                                                      \
     .fluid = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |       \
-             SPH2D__BIT(excess) | SPH2D__BIT(stored) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) | SPH2D__BIT(stretch) | \
-             SPH2D__BIT(shear),                                                                                        \
+             SPH2D__BIT(log_density) | SPH2D__BIT(stored) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |                  \
+             SPH2D__BIT(stretch) | SPH2D__BIT(shear),                                                                  \
     .carried = SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) |     \
-               SPH2D__BIT(excess) | SPH2D__BIT(stored) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |                     \
+               SPH2D__BIT(log_density) | SPH2D__BIT(stored) | SPH2D__BIT(next_x) | SPH2D__BIT(next_y) |                \
                SPH2D__BIT(stretch) | SPH2D__BIT(shear), /* a resumed run knows its largest viscosity by them */        \
         .walls = SPH2D__STORE_BASIC | SPH2D__BIT(normal_x) | SPH2D__BIT(normal_y) | SPH2D__BIT(ax) | SPH2D__BIT(ay) |  \
                  SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) |                   \

@@ -216,8 +216,8 @@ SPH2D__INLINE void finish(const sph2d__system *s, size_t first, const sums *f, c
     const sph2d__lanes kx = all->kx + w.kx, ky = all->ky + w.ky;
     const sph2d__lanes sum = (sph2d__kernel_value_at(kernel, 0) + all->value + w.value) * (1 / s->lattice_values);
     const sph2d__lanes left = s->fills ? one : left_by_surface(z, sph2d__lanes_sqrt(kx * kx + ky * ky) / sum);
-    sph2d__lanes_store(z->summed + first,
-                       summed_apart(density_of(sph2d__lanes_load(s->fluid.excess + first)), sum, left, det_of(both)));
+    sph2d__lanes_store(z->summed + first, summed_apart(density_of(sph2d__lanes_load(s->fluid.log_density + first)), sum,
+                                                       left, det_of(both)));
     sph2d__lanes_store(z->smooth + first, reach * reach * (3 - 2 * reach));
     sph2d__lanes_store(z->walled + first, turned);
     keep(z->axx, z->axy, z->ayy, first, a);

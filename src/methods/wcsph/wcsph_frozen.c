@@ -237,7 +237,7 @@ static void end_rows(sph2d__system *s)
         return;
     const size_t end = f->count + SPH2D__WIDEST - f->count % SPH2D__WIDEST;
     for (size_t i = f->count; i < end; ++i) {
-        f->vx[i] = f->vy[i] = f->excess[i] = 0;
+        f->vx[i] = f->vy[i] = f->log_density[i] = 0;
 #define ZERO(name) z->name[i] = 0;
         SPH2D__FROZEN_ARRAYS(ZERO)
 #undef ZERO
@@ -263,7 +263,7 @@ static void keep_state(sph2d__system *s, size_t first, size_t last)
 {
     const sph2d__store *f = &s->fluid;
     for (size_t i = first; i < last; ++i) {
-        const float row[4] = {(float)f->vx[i], (float)f->vy[i], (float)f->excess[i], 0};
+        const float row[4] = {(float)f->vx[i], (float)f->vy[i], (float)f->log_density[i], 0};
         memcpy(s->frozen->state + 4 * i, row, sizeof row);
     }
 }

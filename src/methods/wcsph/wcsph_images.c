@@ -169,13 +169,13 @@ void sph2d__images_start(sph2d__system *s)
         f->y[i] = z->images.y[k];
         f->vx[i] = m.x * f->vx[m.of];
         f->vy[i] = m.y * f->vy[m.of];
-        f->excess[i] = f->excess[m.of];
+        f->log_density[i] = f->log_density[m.of];
         copy_record(z->state, i, m.of, m.x, m.y, 1, 1);
     }
     const size_t end = z->first_image + z->images.count;
     if (z->images.count > 0) {
         f->x[end] = f->y[end] = 1e30;
-        f->vx[end] = f->vy[end] = f->excess[end] = 0;
+        f->vx[end] = f->vy[end] = f->log_density[end] = 0;
 #define ZERO_END(name) z->name[end] = 0;
         SPH2D__FROZEN_ARRAYS(ZERO_END)
 #undef ZERO_END

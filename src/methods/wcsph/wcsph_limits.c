@@ -27,7 +27,7 @@ static double steady_step(const sph2d__system *s)
     const double c2 = s->sound_speed * s->sound_speed;
     double pressed = fmax(s->head, sph2d__head_of_sound(s));
     for (size_t i = 0; i < s->fluid.count; ++i)
-        pressed = fmax(pressed, c2 * fabs(s->fluid.excess[i]));
+        pressed = fmax(pressed, c2 * fabs(s->fluid.log_density[i]));
     return STEADY * 2 * s->spacing / sqrt(s->lattice_stiffness * pressed);
 }
 

@@ -111,7 +111,7 @@ SPH2D__INLINE wall_rates add_wall_rate(sph2d__system *s, size_t i, vectors v, do
     const sph2d__lanes by = 2 * dot(v, load(z->sx, z->sy, i)) - sph2d__lanes_load(z->wall_rate + i);
     liquid += own.c * sph2d__lanes_load(z->nx + i) + own.d * sph2d__lanes_load(z->ny + i);
     wall_rates d = {.before = liquid + sph2d__lanes_load(z->acts + i) * by};
-    const sph2d__lanes acts = acts_at(s, i, sph2d__lanes_load(s->fluid.excess + i) + time * d.before, by);
+    const sph2d__lanes acts = acts_at(s, i, sph2d__lanes_load(s->fluid.log_density + i) + time * d.before, by);
     sph2d__lanes_store(z->acts + i, acts);
     d.after = liquid + acts * by;
     return d;
@@ -134,7 +134,7 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
     if (z->holds) {
         const sph2d__lanes held = sph2d__lanes_load(z->held + i);
-        const sph2d__lanes now = sph2d__lanes_load(t->excess + i), old = sph2d__lanes_load(z->held_excess + i);
+        const sph2d__lanes now = sph2d__lanes_load(t->log_density + i), old = sph2d__lanes_load(z->held_excess + i);
         add_lanes(&sum->fourth,
                   stiffness * held * (time.before * d.before * old + time.after * d.after * now + change * now), i,
                   last);
@@ -143,7 +143,7 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
         change = (1 - held) * change;
     }
     const sph2d__lanes rate = d.after;
-    const sph2d__lanes before = sph2d__lanes_load(t->excess + i) + time.before * d.before;
+    const sph2d__lanes before = sph2d__lanes_load(t->log_density + i) + time.before * d.before;
     const sph2d__lanes damping = sph2d__lanes_load(z->damping + i), damped = damping * rate;
     const sph2d__lanes theta = before + change + time.after * rate;
     const sph2d__lanes work = stiffness * theta + damped;
@@ -155,7 +155,7 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     sph2d__lanes_store(z->rate + i, rate);
     add_lanes(&sum->second, stiffness * change * (before + 0.5 * change), i, last);
     add_lanes(&sum->third, rate * rate, i, last);
-    sph2d__lanes_store(t->excess + i, theta);
+    sph2d__lanes_store(t->log_density + i, theta);
     sph2d__lanes_store(z->px + i, at.x + drift * v.x);
     sph2d__lanes_store(z->py + i, at.y + drift * v.y);
     sph2d__lanes_store(z->work + i, work);
