@@ -1,6 +1,6 @@
 #version 330 core
 // What is in a tile of 2 x 2 cells: nothing to draw (0), something (1), or a field that is full and even in it and around
-// it (2), as tiles.h counts them.
+// it (2), as target.h counts them.
 uniform sampler2D limits; // of the field in cells: the least, the greatest
 uniform float lowest;     // a tile is not empty if the field is as large somewhere
 uniform float full;       // it is inside if the field is as large everywhere ...

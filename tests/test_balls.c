@@ -10,9 +10,9 @@
 #include <unistd.h>
 
 #include "common.h"
-#include "render/colormap.h"
 #include "render/drawing.h"
-#include "render/tiles.h"
+#include "render/legend.h"
+#include "render/target.h"
 #include "shaders.h"
 #include "sph2d/render.h"
 

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "render/glyphs.h"
+#include "render/canvas.h"
 #include "sph2d/render.h"
 #include "splash.h"
 

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/caption.h"
+#include "render/legend.h"
 #include "render/sampled.h"
 #include "sph2d/render.h"
 #include "splash.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/caption.h"
+#include "render/legend.h"
 #include "render/walls.h"
 #include "sph2d/field.h"
 #include "sph2d/render.h"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/streamlines.h"
+#include "render/lines.h"
 #include "render/walls.h"
 #include "sph2d/field.h"
 #include "sph2d/render.h"

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/random.h"
 #include "common.h"
-#include "study/hash.h"
 #include "study/parts.h"
 
 static sph2d_study_record record, back;

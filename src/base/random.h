@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file random.h
- *  Counter-based random numbers: functions of what they are used for, so that no generator has a state to store. */
+ *  Bits that look random: counter-based random numbers, functions of what they are used for, so that no generator has a
+ *  state to store; and a hash of bytes, which finds damage and knows again what was there before. */
 #ifndef SPH2D_BASE_RANDOM_H
 #define SPH2D_BASE_RANDOM_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 /** splitmix64 (Steele, Lea & Flood 2014): a random number from a counter. */
@@ -20,6 +22,18 @@ static inline double sph2d__noise(uint64_t seed, uint64_t source, uint64_t row, 
 {
     uint64_t bits = sph2d__mix(sph2d__mix(sph2d__mix(seed ^ sph2d__mix(source)) ^ row) ^ (2 * column + component));
     return (double)(bits >> 11) * 0x1p-52 - 1.0;
+}
+
+/** What a hash begins with. */
+#define SPH2D__HASH_START UINT64_C(0xcbf29ce484222325)
+
+/** The hash of more bytes behind those of `hash`: FNV-1a (Fowler, Noll & Vo) with 64 bits. */
+static inline uint64_t sph2d__hash(uint64_t hash, const void *bytes, size_t count)
+{
+    const unsigned char *c = bytes;
+    for (size_t i = 0; i < count; ++i)
+        hash = (hash ^ c[i]) * UINT64_C(0x100000001b3); /* NOLINT: doubles have bytes */
+    return hash;
 }
 
 #endif

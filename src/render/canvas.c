@@ -7,8 +7,6 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "render/glyphs.h"
-
 enum { BASELINE = 2, GAP = 2, SPACE = 3 }; /* grid units */
 static const double half_line = 0.42;      /* half the width of a line, grid units */
 

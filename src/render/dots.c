@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "render/colormap.h"
+#include "render/legend.h"
 #include "render/shader.h"
 
 sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report)
@@ -103,4 +103,23 @@ void sph2d__dots_destroy(const sph2d__gl *gl, sph2d__dots *dots)
     gl->DeleteVertexArrays(1, &dots->vertex_array); /* 0 is ignored */
     gl->DeleteBuffers(1, &dots->buffer);
     *dots = (sph2d__dots){0};
+}
+
+/* ---- style points ------------------------------------------------------------------------------------------------ */
+
+/* Smaller dots would be hard to see. */
+static const double smallest_radius = 0.7; /* [px] */
+
+void sph2d__points_draw(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
+                        const sph2d__view *view, sph2d__dot_list list, double radius)
+{
+    const double pixels = fmax(radius * view->scale, smallest_radius);
+    const sph2d__raster image = {target->width, target->height, 1.0, 0, 1};
+    list.reach = pixels + 1.0; /* the soft edge */
+    sph2d__dots_fill(gl, dots, view, &list);
+    sph2d__target_bind(gl, target);
+    sph2d__target_blend(gl, target);
+    gl->UseProgram(program);
+    sph2d__program_set_float(gl, program, "radius", pixels);
+    sph2d__dots_draw(gl, dots, program, &image, list.reach);
 }

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file dots.h
- *  Particles in a buffer of the card: they are handed over once a picture, and drawn as often as needed. */
+ *  Particles in a buffer of the card: they are handed over once a picture, and drawn as often as needed, as the balls of
+ *  metaballs.h or as round dots. */
 #ifndef SPH2D_RENDER_DOTS_H
 #define SPH2D_RENDER_DOTS_H
 
 #include "render/gl_loader.h"
+#include "render/target.h"
 #include "render/view.h"
 
 /** What a program reads for one particle: attribute 0 (vec2) and attribute 1 (vec4). */
@@ -57,5 +59,10 @@ void sph2d__dots_draw(const sph2d__gl *gl, const sph2d__dots *dots, GLuint progr
 
 /** Frees it; it may be zeroed. */
 void sph2d__dots_destroy(const sph2d__gl *gl, sph2d__dots *dots);
+
+/** Draws a list over the contents of `target` with the program "points". `radius` is a dot's [m]; the list's reach is
+ *  set here. */
+void sph2d__points_draw(const sph2d__gl *gl, GLuint program, sph2d__dots *dots, const sph2d__target *target,
+                        const sph2d__view *view, sph2d__dot_list list, double radius);
 
 #endif

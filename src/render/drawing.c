@@ -6,10 +6,9 @@
 
 #include <string.h>
 
-#include "render/caption.h"
-#include "render/colorbar.h"
-#include "render/hash.h"
-#include "render/points.h"
+#include "base/random.h"
+#include "render/dots.h"
+#include "render/legend.h"
 #include "render/shader.h"
 
 /* Colours of the background, inside the domain and outside; of paper for ink. */
@@ -253,7 +252,7 @@ static uint64_t mark_of(const sph2d__drawing *self, const sph2d_picture *picture
                                self->scales.arrow_pixels,
                                self->scales.arrow_speed,
                                self->scales.level_step};
-    uint64_t mark = sph2d__hash(SPH2D__HASH_BEGIN, numbers, sizeof numbers);
+    uint64_t mark = sph2d__hash(SPH2D__HASH_START, numbers, sizeof numbers);
     mark = sph2d__hash(mark, text, strlen(text));
     return part == STRIP ? sph2d__hash(mark, label, strlen(label)) : mark;
 }

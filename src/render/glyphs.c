@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file glyphs.c
  *  The table of the stroke font. Letters with marks are made of both; those that look alike in several scripts are the same. */
-#include "render/glyphs.h"
+#include "render/canvas.h"
 
 #include <stddef.h>
 #include <stdint.h>

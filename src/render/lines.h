@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file lines.h
- *  Lines over the liquid: arrows of its velocity, streamlines, and isolines of a field. */
+ *  Lines over the liquid: arrows of its velocity and isolines of a field (lines_find.c), evenly spaced streamlines of the
+ *  velocity of the moment (streamlines.c). */
 #ifndef SPH2D_RENDER_LINES_H
 #define SPH2D_RENDER_LINES_H
 
@@ -48,5 +49,10 @@ void sph2d__lines_draw(const sph2d__gl *gl, sph2d__lines *lines, GLuint program,
 
 /** Frees it; it may be zeroed. */
 void sph2d__lines_destroy(const sph2d__gl *gl, sph2d__lines *lines);
+
+/** Adds the streamlines of a picture and their heads to `lines`, the same ones for the same picture; each line is followed
+ *  by its heads. They end where `walls` covers half a pixel. Sets `failed` when memory is short. */
+void sph2d__streamlines_find(sph2d__lines *lines, const sph2d__view *view, const sph2d_picture *picture,
+                             const sph2d__cover *walls);
 
 #endif

@@ -4,9 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "render/legend.h"
 #include "render/lines.h"
-#include "render/round_number.h"
-#include "render/streamlines.h"
 
 /* Parts of the places around a node that particles must have: a straight surface has a half. */
 static const double part_for_arrows = 0.25, part_for_isolines = 0.4;

@@ -6,7 +6,6 @@
 
 #include "render/cover.h"
 #include "render/target.h"
-#include "render/tiles.h"
 
 typedef struct sph2d__mask {
     sph2d__cover cover;

@@ -13,7 +13,7 @@
 #include <math.h>
 
 #include "render/shader.h"
-#include "render/tiles.h"
+#include "render/target.h"
 
 /* Texture units of the second pass. */
 enum { FIELD, COLORS, DEPTH, WALLS, KINDS, UNITS };

@@ -3,7 +3,7 @@
  *  The method of B. Jobard and W. Lefer, Creating evenly-spaced streamlines of arbitrary density, Visualization in
  *  Scientific Computing 1997: each line goes on in both directions until it comes near another one, and the next lines
  *  begin beside it. The velocities are those of a lattice, linear between its nodes. */
-#include "render/streamlines.h"
+#include "render/lines.h"
 
 #include <math.h>
 #include <stdint.h>

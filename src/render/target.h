@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file target.h
- *  Render targets: framebuffer objects. Row 0 is the top of the image. */
+ *  Render targets: framebuffer objects, row 0 of which is the top of the image; and the square tiles of one in which
+ *  something is to be drawn. Shading is expensive for every pixel in a software renderer, and cheaper inside a liquid than
+ *  at its surface. */
 #ifndef SPH2D_RENDER_TARGET_H
 #define SPH2D_RENDER_TARGET_H
 
@@ -44,5 +46,20 @@ void sph2d__target_bind(const sph2d__gl *gl, const sph2d__target *target);
 
 /** Frees it; it may be zeroed. */
 void sph2d__target_destroy(const sph2d__gl *gl, sph2d__target *target);
+
+/* ---- tiles ------------------------------------------------------------------------------------------------------- */
+
+enum { SPH2D__TILE = 16 }; /**< side of a tile [px] */
+
+/** What is in a tile: nothing to draw, something, or a field that is full and even in it and around it; as kinds.frag
+ *  finds them. */
+enum { SPH2D__TILE_EMPTY, SPH2D__TILE_TOUCHED, SPH2D__TILE_INSIDE };
+
+/** Number of tiles that cover so many pixels. */
+GLsizei sph2d__tiles_count(GLsizei pixels);
+
+/** Draws the tiles of a kind with a program whose vertices are those of tiles.vert and which is in use, with the blending
+ *  in use. The texture unit `kinds` has a texel for each tile. */
+void sph2d__tiles_draw(const sph2d__gl *gl, GLuint program, const sph2d__target *target, int kinds, int kind);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#include "render/hash.h"
+#include "base/random.h"
 #include "sph2d/field.h"
 
 /* Thinner bands would be hard to see. */
@@ -137,7 +137,7 @@ static uint64_t mark_of(const sph2d__view *view, const sph2d_picture *p)
     const size_t count = p->outline_count;
     const double numbers[6] = {view->middle.x, view->middle.y, view->center.x,
                                view->center.y, view->scale,    p->wall_thickness};
-    uint64_t mark = sph2d__hash(SPH2D__HASH_BEGIN, numbers, sizeof numbers);
+    uint64_t mark = sph2d__hash(SPH2D__HASH_START, numbers, sizeof numbers);
     mark = sph2d__hash(mark, p->outline_x, count * sizeof *p->outline_x);
     mark = sph2d__hash(mark, p->outline_y, count * sizeof *p->outline_y);
     mark = sph2d__hash(mark, p->outline_id, count * sizeof *p->outline_id);

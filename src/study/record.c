@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "study/hash.h"
+#include "base/random.h"
 
 /** The head of a block, with length and checksum of the rest. */
 typedef struct head {

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "base/null.h"
-#include "study/hash.h"
+#include "base/random.h"
 #include "study/parts.h"
 
 enum { MOST_BYTES = 256 << 20 };
