@@ -335,7 +335,7 @@ $(BUILD)/gen/shaders.c: $(SHADERS) Makefile $(wildcard shaders) | $(BUILD)/gen/s
 	for f in $(SHADERS); do n=$$(basename $$f); echo "    {\"$$n\", $$(echo $$n | tr . _)},"; done; \
 	printf '    {NULL, NULL}};\nconst size_t sph2d__shader_source_count = $(words $(SHADERS));\n'; } >$@
 $(BUILD)/gen/play_scenes.c: $(PLAY_SCENES) Makefile $(wildcard cli/play/scenes)
-	$(call say,GEN,$@)mkdir -p $(@D) && { printf '#include "play/scenes.h"\n\n'; \
+	$(call say,GEN,$@)mkdir -p $(@D) && { printf '#include "play/game.h"\n\n'; \
 	for f in $(PLAY_SCENES); do \
 	    echo "static const char scene_$$(basename $$f .yaml)[] = {"; $(call bytes_of,$$f); \
 	done; \

@@ -10,7 +10,6 @@
 #include <string.h>
 
 #include "../clock.h"
-#include "scenes.h"
 
 void game_tell(game *g, const char *format, ...)
 {

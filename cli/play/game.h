@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file game.h
- *  What is played: a live simulation, the hand, and how both are shown. */
+ *  What is played: a live simulation, the hand, and how both are shown; and the scenes of the keys 1 to 9. */
 #ifndef SPH2D_CLI_PLAY_GAME_H
 #define SPH2D_CLI_PLAY_GAME_H
+
+#include <stddef.h>
 
 #include "../frame.h"
 #include "../options.h"
@@ -96,5 +98,14 @@ void game_prepare(game *g, double pictures);
 /** Draws it into the window's framebuffer, also while a thread steps the simulation; a film that is recorded gets its
  *  frame. */
 void game_draw(game *g, sph2d_renderer *renderer);
+
+/* ---- the scenes of the keys 1 to 9, generated from cli/play/scenes ----------------------------------------------- */
+
+typedef struct play_scene {
+    const char *name, *text; /* "dam_break", and its YAML */
+} play_scene;
+
+extern const play_scene play_scenes[];
+extern const size_t play_scene_count;
 
 #endif

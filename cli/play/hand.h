@@ -1,10 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /** @file hand.h
- *  What the mouse does to the liquid: pull and push, pour, wipe away, draw walls, move bodies. */
+ *  What the mouse does to the liquid: pull and push, pour, wipe away, draw walls, move bodies, one of which it holds. */
 #ifndef SPH2D_CLI_PLAY_HAND_H
 #define SPH2D_CLI_PLAY_HAND_H
 
-#include "grip.h"
+#include "live.h"
+
+/** A body that the mouse holds. */
+typedef struct grip {
+    bool holds;
+    size_t body;     /**< of the scene */
+    sph2d_vec2 from; /**< the place that is held, from the body's centre when it was taken [m] ... */
+    double angle;    /**< ... and the body's angle then [rad] */
+} grip;
 
 typedef enum hand_tool { HAND_PULL, HAND_POUR, HAND_WIPE, HAND_WALL } hand_tool;
 

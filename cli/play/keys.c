@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "game.h"
-#include "scenes.h"
 
 /* The fields that colour the liquid, in turn. */
 static const char *const colors[] = {NULL, "speed", "Pressures", "vorticity"};

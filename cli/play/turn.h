@@ -5,7 +5,22 @@
 #define SPH2D_CLI_PLAY_TURN_H
 
 #include "game.h"
-#include "worker.h"
+
+/* ---- a thread that does one thing again and again, while the caller does another (worker.c) ---------------------- */
+
+typedef struct worker worker;
+
+/** Starts a thread for work(context). NULL: there is none to be had. */
+worker *worker_start(void (*work)(void *), void *context);
+
+/** Has the work done once; it ends before worker_wait() returns, and the next begins after that. */
+void worker_begin(worker *w);
+void worker_wait(worker *w);
+
+/** Ends the thread once its work is done, and frees it; NULL is ignored. */
+void worker_stop(worker *w);
+
+/* ---- a turn ------------------------------------------------------------------------------------------------------ */
 
 /** The steps of a turn. */
 typedef struct stepping {

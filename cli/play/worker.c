@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file worker.c
  *  A thread that waits for work, by POSIX threads: the one that asks goes on, which a region of OpenMP is not made for. */
-#include "worker.h"
+#include "turn.h"
 
 #include <pthread.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include <emscripten.h>
 
 #include "../play/game.h"
-#include "../play/worker.h"
+#include "../play/turn.h"
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 

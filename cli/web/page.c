@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file page.c
  *  Play in a browser: what the page's script calls. There is one game and one canvas, "#canvas". */
+#define GL_GLEXT_PROTOTYPES
 #include <emscripten.h>
 #include <emscripten/html5.h>
 #include <stdio.h>
@@ -8,9 +9,8 @@
 #include <string.h>
 
 #include "../json.h"
-#include "../play/scenes.h"
 #include "../play/turn.h"
-#include "gl_functions.h"
+#include "render/gl_loader.h"
 
 static game the_game;
 static turning the_turning;
@@ -55,6 +55,41 @@ static const char *answer_report(sph2d_status status, sph2d_report *report)
     sph2d_report_clear(report);
     fclose(out);
     return answer_with(text);
+}
+
+/* ---- the functions of OpenGL by their names ---------------------------------------------------------------------- */
+
+static bool asks = true;
+
+/* Whether glGetError asks the browser, or says that there is no error; true at first. */
+static void ask_for_errors(bool ask)
+{
+    asks = ask;
+}
+
+/* Asking for errors waits until the picture is drawn, in another process. */
+static GLenum get_error(void)
+{
+    return asks ? glGetError() : GL_NO_ERROR;
+}
+
+/* An sph2d_gl_loader. The list is the renderer's own, since Emscripten's holds all there are, 50 kB of script. */
+static sph2d_gl_function find_function(const char *name)
+{
+    static const struct row {
+        const char *name;
+        sph2d_gl_function function;
+    } rows[] = {
+#define ROW(function, type) {"gl" #function, (sph2d_gl_function)gl##function},
+        SPH2D__GL_MAP(ROW)
+#undef ROW
+    };
+    if (strcmp(name, "glGetError") == 0)
+        return (sph2d_gl_function)get_error;
+    for (size_t k = 0; k < sizeof rows / sizeof rows[0]; ++k)
+        if (strcmp(rows[k].name, name) == 0)
+            return rows[k].function;
+    return NULL;
 }
 
 /* ---- the canvas -------------------------------------------------------------------------------------------------- */
@@ -155,8 +190,9 @@ EMSCRIPTEN_KEEPALIVE int page_turn(double seconds, int width, int height, double
     input.left = buttons & 1;
     input.right = buttons & 2;
     input.scroll = scroll;
-    page_gl_ask(the_turning.shown == 0); /* what can fail fails in the first picture, or the browser tells the page */
-    const sph2d_status status = turn_take(&the_turning, &the_game, &input, page_gl_function, seconds, &report);
+    ask_for_errors(the_turning.shown ==
+                   0); /* what can fail fails in the first picture, or the browser tells the page */
+    const sph2d_status status = turn_take(&the_turning, &the_game, &input, find_function, seconds, &report);
     game_tell_report(&the_game, status, &report);
     turn_shown(&the_turning, &the_game);
     input.key_count = 0;
