@@ -12,10 +12,10 @@
 #include "command.h"
 #include "exit.h"
 #include "frame_writer.h"
+#include "input.h"
 #include "json.h"
 #include "loop.h"
 #include "message.h"
-#include "scene_input.h"
 #include "text.h"
 #include "threads.h"
 

@@ -48,6 +48,12 @@ extern const cli_command commands[];
 /** The command of that name, or NULL. */
 const cli_command *command_find(const char *name);
 
+/** Print the texts of --help and --version to stdout (help.c): all commands; one of them, with its options and examples;
+ *  version, licence and features of the build. */
+void help_print(void);
+void help_print_command(const cli_command *about);
+void help_print_version(bool json);
+
 /** What a command does; returns the exit code. */
 #define CLI__COMMAND_ACT(name, NAME, operands, text) int command_##name(const cli_options *options);
 CLI_COMMAND_MAP(CLI__COMMAND_ACT)

@@ -9,7 +9,7 @@
 
 #include "command.h"
 #include "exit.h"
-#include "snapshot.h"
+#include "input.h"
 
 static bool ends_in(const char *path, const char *end)
 {

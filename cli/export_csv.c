@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compose.h"
 #include "export.h"
 #include "text.h"
 

@@ -5,12 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compose.h"
 #include "exit.h"
 #include "export.h"
-#include "signals.h"
-#include "snapshot.h"
-#include "snapshot_list.h"
+#include "input.h"
+#include "text.h"
 
 typedef struct series {
     const cli_options *options;

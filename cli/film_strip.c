@@ -7,8 +7,8 @@
 #include <sys/stat.h>
 
 #include "exit.h"
+#include "input.h"
 #include "message.h"
-#include "snapshot.h"
 #include "text.h"
 
 /* ---- its pace ---------------------------------------------------------------------------------------------------- */

@@ -8,7 +8,7 @@
 
 #include "film.h"
 #include "frame_writer.h"
-#include "snapshot_list.h"
+#include "input.h"
 
 /** Initialise with {0}. */
 typedef struct film_strip {

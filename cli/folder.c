@@ -18,7 +18,6 @@
 #include <unistd.h>
 
 #include "exit.h"
-#include "made_folders.h"
 #include "message.h"
 
 /* ---- names ------------------------------------------------------------------------------------------------------- */
@@ -227,7 +226,7 @@ int folder_share(cli_folder *f, const char *path, bool force, const char *own)
     return take(f, force, own);
 }
 
-/* ---- clearing ----------------------------------------------------------------------------------------------------- */
+/* ---- clearing ---------------------------------------------------------------------------------------------------- */
 
 static bool ends_with(const char *name, const char *end)
 {

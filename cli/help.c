@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file help.c
  *  What --help, --version and `sph2d help` print. */
-#include "help.h"
+#include "command.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -10,15 +10,14 @@
 #include <sph2d/version.h>
 
 #include "build.h"
-#include "completions.h"
 #include "exit.h"
+#include "frame.h"
 #include "frame_writer.h"
 #include "json.h"
 #include "keys.h"
 #include "message.h"
 #include "option_table.h"
 #include "pages.h"
-#include "templates.h"
 #include "text.h"
 
 /* ---- commands ---------------------------------------------------------------------------------------------------- */
@@ -200,6 +199,59 @@ void help_print_version(bool json)
     text_row("commit", "%s", build_commit);
 }
 
+/* ---- completions of shells --------------------------------------------------------------------------------------- */
+
+static void print_option_words(const option_row *row)
+{
+    char colors[200];
+    const char *separator = "";
+    const char *const *words = options_words(row->id);
+    if (strcmp(row->name, "color") == 0) { /* "speed, Densities": without the commas */
+        for (const char *c = frame_colors(colors, sizeof colors); *c != '\0'; ++c)
+            if (*c != ',')
+                putchar(*c);
+    } else if (strcmp(row->name, "template") == 0) {
+        for (size_t i = 0; i < scene_template_count; ++i, separator = " ")
+            printf("%s%s", separator, scene_templates[i].name);
+    } else if (words) {
+        for (size_t i = 0; words[i]; ++i, separator = " ")
+            printf("%s%s", separator, words[i]);
+    } else {
+        putchar('-');
+    }
+}
+
+static void print_option_of(const cli_command *command, const option_row *row)
+{
+    char letter[] = "-?";
+    letter[1] = (char)row->id;
+    printf("option\t%s\t%s\t--%s\t%s\t", command->name, row->id < 256 ? letter : "-", row->name,
+           row->argument ? row->argument : "-");
+    print_option_words(row);
+    printf("\t%s\n", row->text);
+}
+
+/* What the completions of shells (completions/) ask the command, so that no list of theirs can go stale. Lines of fields
+ * between tabs, "-" where there is none:
+ *
+ *      command NAME OPERANDS TEXT
+ *      option  COMMAND LETTER NAME ARGUMENT WORDS TEXT      -o --output DIR
+ *
+ * for each command and each option of it. WORDS are the values that it can have, between spaces. `sph2d help completions`
+ * prints the topics of help after them. */
+static void print_commands(void)
+{
+    for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i) {
+        const cli_command *command = &commands[i];
+        printf("command\t%s\t%s\t%s\n", command->name, command->operands[0] != '\0' ? command->operands : "-",
+               command->text);
+        const option_row *row;
+        for (size_t k = 0; (row = options_row(k)); ++k)
+            if (row->commands & command->bit)
+                print_option_of(command, row);
+    }
+}
+
 /* ---- topics ------------------------------------------------------------------------------------------------------ */
 
 static void print_exits(void)
@@ -298,7 +350,7 @@ enum { TOPIC_COUNT = sizeof topics / sizeof *topics };
 
 static void print_completions(void)
 {
-    completions_print_commands();
+    print_commands();
     for (size_t i = 0; i < TOPIC_COUNT; ++i)
         if (topics[i].of_users)
             printf("topic\t%s\n", topics[i].name);

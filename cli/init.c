@@ -11,13 +11,10 @@
 #include <unistd.h>
 
 #include "command.h"
-#include "compose.h"
 #include "exit.h"
 #include "keys.h"
 #include "message.h"
-#include "parse.h"
 #include "sph2d/io.h"
-#include "templates.h"
 #include "text.h"
 
 enum { PATH_SIZE = 128, WIDTH = 100 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file keys.h
- *  Descriptions of the keys of scenes and studies, for `sph2d help` and the comments of `sph2d init`. */
+ *  The keys of scenes and studies in words, for `sph2d help` and the comments of `sph2d init`; and the templates of `init`:
+ *  path and value of each key that is set. */
 #ifndef SPH2D_CLI_KEYS_H
 #define SPH2D_CLI_KEYS_H
 
@@ -35,5 +36,24 @@ bool keys_print_one(const char *name);
 
 /** The same for any table of keys. */
 void keys_print(const sph2d_keys *keys);
+
+/* ---- templates --------------------------------------------------------------------------------------------------- */
+
+typedef struct template_value {
+    const char *path, *value; /* "blocks[0].box.min", "[0, 0]" */
+} template_value;
+
+typedef struct scene_template {
+    const char *name, *text;
+    const template_value *values;
+    size_t count;
+} scene_template;
+
+/** All templates, the default first. */
+extern const scene_template scene_templates[];
+extern const size_t scene_template_count;
+
+/** The commented scene of a template under a name; the caller frees it, and gets its length. NULL when memory is short. */
+char *scene_template_text(const scene_template *from, const char *name, size_t *length);
 
 #endif

@@ -6,7 +6,7 @@
 #include <inttypes.h>
 
 #include "clock.h"
-#include "signals.h"
+#include "exit.h"
 
 /* The CPU time of all but the outputs that are written beside the steps. */
 static double cpu_here(const cli_outputs *o)

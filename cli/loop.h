@@ -4,8 +4,8 @@
 #ifndef SPH2D_CLI_LOOP_H
 #define SPH2D_CLI_LOOP_H
 
+#include "message.h"
 #include "outputs.h"
-#include "progress.h"
 
 /** How a session ended. */
 typedef enum loop_end {

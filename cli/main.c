@@ -7,10 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "breakdown.h"
 #include "command.h"
 #include "exit.h"
-#include "help.h"
 #include "message.h"
 #include "text.h"
 

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file message.h
- *  Errors, warnings and notices, printed to stderr. With --json each is a JSON object. */
+ *  Errors, warnings and notices, printed to stderr; with --json each is a JSON object. And the progress of a long job: a bar
+ *  with the remaining time on a terminal, otherwise plain lines. */
 #ifndef SPH2D_CLI_MESSAGE_H
 #define SPH2D_CLI_MESSAGE_H
 
 #include <stdbool.h>
 
-#include "options.h"
 #include <sph2d/status.h>
+
+#include "options.h"
 
 #define MESSAGE_FORMAT(where, first) __attribute__((format(printf, where, first)))
 
@@ -34,5 +36,24 @@ void message_status(const char *text);
 
 /** Whether stderr is a terminal that can redraw a line. */
 bool message_terminal(void);
+
+/* ---- progress of a long job -------------------------------------------------------------------------------------- */
+
+typedef struct cli_progress {
+    enum { PROGRESS_OFF, PROGRESS_LINES, PROGRESS_BAR } form;
+    double from, to;      /**< start and end of the job, in any unit */
+    double begun;         /**< start on the wall clock [s] */
+    double printed;       /**< time of the last output [s] */
+    double printed_tenth; /**< tenth of the job at the last output */
+} cli_progress;
+
+/** Starts; this session works from `from` to `to`. */
+cli_progress progress_begin(const cli_options *options, double from, double to);
+
+/** Prints the progress `now` when it is due, with a detail in printf's format, such as "t 0.2 of 1 s". */
+void progress_update(cli_progress *p, double now, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/** Removes the bar. */
+void progress_end(cli_progress *p);
 
 #endif

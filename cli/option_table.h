@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /** @file option_table.h
- *  All options, one a row: which commands take them, and what help and completions say of them. */
+ *  All options, one a row: which commands take them, what help and completions say of them (option_table.c), and what they
+ *  mean, from an option and its argument to a member of cli_options (option_values.c). */
 #ifndef SPH2D_CLI_OPTION_TABLE_H
 #define SPH2D_CLI_OPTION_TABLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
+
+#include "options.h"
 
 /** Options without a short form. */
 enum {
@@ -61,5 +65,9 @@ const char *const *options_words(int id);
 
 /** Prints the options that a command takes, one a line, to stdout. */
 void options_print(unsigned command);
+
+/** Sets the option `id` (option_table.h); `value` is its argument, NULL if it takes none, is borrowed, and may be cut in
+ *  two. `name` is the command's, for messages. False after an error, which is reported. */
+bool option_values_set(cli_options *options, const char *name, int id, char *value);
 
 #endif

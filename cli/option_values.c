@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file option_values.c
  *  What options mean: their arguments are read, and a bad one is reported with what would have been right. */
-#include "option_values.h"
+#include "option_table.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,8 +10,6 @@
 #include "film.h"
 #include "frame.h"
 #include "message.h"
-#include "option_table.h"
-#include "parse.h"
 #include "text.h"
 
 static bool bad_value(const char *name, const char *option, const char *value, const char *expected)

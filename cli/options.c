@@ -10,7 +10,6 @@
 
 #include "message.h"
 #include "option_table.h"
-#include "option_values.h"
 #include "text.h"
 
 /* ---- the tables of getopt ---------------------------------------------------------------------------------------- */

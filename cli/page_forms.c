@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "page_form.h"
+#include "pages.h"
 #include "text.h"
 
 /* Starts a sentence with a capital letter, unless with a symbol or a word of scene files. */

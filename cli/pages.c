@@ -11,8 +11,6 @@
 #include <sph2d/sim.h>
 
 #include "keys.h"
-#include "page_form.h"
-#include "parse.h"
 #include "text.h"
 
 /* ---- keys -------------------------------------------------------------------------------------------------------- */

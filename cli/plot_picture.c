@@ -9,10 +9,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "compose.h"
 #include "exit.h"
 #include "message.h"
 #include "plot.h"
+#include "text.h"
 
 enum { MOST_ACROSS = 3, PANEL_WIDTH = 460, PANEL_HEIGHT = 260 };
 /* Of a longer series the smallest and the largest of that many pieces are drawn, which looks the same. */

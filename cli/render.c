@@ -10,11 +10,8 @@
 #include "film_strip.h"
 #include "folder.h"
 #include "frame_writer.h"
+#include "input.h"
 #include "message.h"
-#include "progress.h"
-#include "signals.h"
-#include "snapshot.h"
-#include "snapshot_list.h"
 #include "threads.h"
 
 /* The frame style of a snapshot, with the options of the command line, and a range of colours where neither has one;

@@ -8,12 +8,9 @@
 
 #include "command.h"
 #include "exit.h"
+#include "input.h"
 #include "message.h"
-#include "newest.h"
 #include "session.h"
-#include "signals.h"
-#include "snapshot.h"
-#include "summary.h"
 
 /* ---- continuing -------------------------------------------------------------------------------------------------- */
 

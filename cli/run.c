@@ -7,10 +7,9 @@
 
 #include "command.h"
 #include "exit.h"
+#include "input.h"
 #include "message.h"
-#include "scene_input.h"
 #include "session.h"
-#include "signals.h"
 
 static int check_usage(const cli_options *options)
 {

@@ -8,8 +8,6 @@
 #include "clock.h"
 #include "exit.h"
 #include "message.h"
-#include "signals.h"
-#include "summary.h"
 #include "text.h"
 
 void session_begin(cli_session *s, const cli_options *options)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file session.h
- *  The common part of `run` and `resume`: the resources of a run, and its end. */
+ *  The common part of `run` and `resume`: a session, and the summary of what it did. */
 #ifndef SPH2D_CLI_SESSION_H
 #define SPH2D_CLI_SESSION_H
 
@@ -43,5 +43,16 @@ int session_run(cli_session *s, saved_in saved);
 
 /** Frees everything. Of a session that failed (`code`), the empty folders that it made are removed. */
 void session_end(cli_session *s, int code);
+
+/* ---- its summary (summary.c) ------------------------------------------------------------------------------------- */
+
+/** Prints the summary to stdout: a table, with --json one object, with --quiet nothing. `reason` is how the session
+ *  ended: finished, complete, guard, failed, SIGINT, SIGTERM, SIGHUP, max-wall. The series of gauges are read in the
+ *  folder. */
+void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
+                   const cli_options *options, cli_folder *folder);
+
+/** Change of energy since the start, less the net input by particles [J/m]. */
+double summary_energy_change(const sph2d_summary *summary);
 
 #endif

@@ -8,9 +8,8 @@
 #include "../clock.h"
 #include "../command.h"
 #include "../exit.h"
+#include "../input.h"
 #include "../message.h"
-#include "../scene_input.h"
-#include "../signals.h"
 #include "../threads.h"
 #include "turn.h"
 

@@ -8,7 +8,6 @@
 #include "../build.h"
 #include "columns.h"
 #include "parts.h"
-#include "templates.h"
 
 static void put(FILE *out, const char *text)
 {

@@ -32,7 +32,7 @@ _Noreturn void study_work(cli_study *s, sph2d_study_row *row, pid_t parent, int 
 /** Receives a record, waiting for all of it. False when it is incomplete, or memory is short. */
 bool study_receive(int in, sph2d_study_record *record);
 
-/* ---- a part of the rows, beside other processes with the other parts (shard.c) ------------------------------------ */
+/* ---- a part of the rows, beside other processes with the other parts (shard.c) ----------------------------------- */
 
 /** Whether a row is to be run here: by a shard every Nth, else all. */
 bool study_owns(const cli_study *s, const sph2d_study_row *row);
@@ -83,6 +83,9 @@ int study_plot(cli_study *s);
 /** study.html: the first comments of scene and study, the command, the verdict, the table, the plots and the conditions
  *  of the times. */
 int study_page_write(cli_study *s);
+
+/** The files page.html and plots.gp beside this one, which are a part of the program. */
+extern const char study_page_html[], study_plots_gp[];
 
 /** All files of the results, and removes those of earlier ones that these do not have. Several processes may do so at
  *  the same time with the same rows. */

@@ -11,7 +11,6 @@
 #include "../exit.h"
 #include "../message.h"
 #include "parts.h"
-#include "templates.h"
 
 /* With more settings than this only those that reach the front have a colour and a name. */
 enum { MOST_NAMED = 8, LABEL_SIZE = 120 };

@@ -17,7 +17,6 @@
 
 #include "../exit.h"
 #include "../message.h"
-#include "../signals.h"
 #include "../text.h"
 
 /* A process that runs a row. */

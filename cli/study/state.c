@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../compose.h"
 #include "../exit.h"
 #include "../message.h"
 #include "../text.h"

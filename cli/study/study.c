@@ -6,9 +6,8 @@
 
 #include "../command.h"
 #include "../exit.h"
+#include "../input.h"
 #include "../message.h"
-#include "../scene_input.h"
-#include "../signals.h"
 #include "parts.h"
 
 /* ---- before anything runs ---------------------------------------------------------------------------------------- */

@@ -9,8 +9,7 @@
 #include <unistd.h>
 
 #include "../exit.h"
-#include "../progress.h"
-#include "../signals.h"
+#include "../message.h"
 
 typedef struct work {
     cli_study *study;

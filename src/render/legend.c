@@ -307,7 +307,7 @@ static double write_levels(const sph2d__canvas *canvas, const sph2d__scales *sca
     return draw_before(canvas, right, base, unit, text);
 }
 
-/* ---- the strip below ------------------------------------------------------------------------------------------------------- */
+/* ---- the strip below --------------------------------------------------------------------------------------------- */
 
 void sph2d__caption_draw(const sph2d__canvas *canvas, const sph2d__view *view, const char *text,
                          const sph2d__scales *scales, const char *levels)
