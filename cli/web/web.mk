@@ -7,7 +7,7 @@ EMCC ?= emcc
 WEB_ENV := NODE_PATH=/usr/share/nodejs NODE_OPTIONS=
 WEB_LIBS := $(WEB)/sources
 # Snapshots are HDF5, which a page has no use for; absent.c refuses them. Streamlines would take 3 of its 450 kB.
-WEB_WITHOUT := src/files/h5_% src/files/snapshot% src/files/parameters% src/files/trailer.c src/files/series.c \
+WEB_WITHOUT := src/files/h5_% src/files/snapshot% src/files/parameters% src/files/series.c \
     src/render/streamlines.c src/render/png_file.c src/render/gl_context_egl.c src/render/gl_context_osmesa.c
 WEB_SRC := $(filter-out $(WEB_WITHOUT),$(CORE_SRC) $(IO_SRC) $(CONTACTS_SRC) $(RENDER_SRC)) \
     cli/frame.c cli/frame_field.c cli/text.c cli/json.c $(addprefix cli/play/,drawn.c game.c hand.c keys.c live.c past.c quantities.c show.c turn.c) \

@@ -10,10 +10,9 @@
 #include <unistd.h>
 
 #include "base/atomic_file.h"
+#include "files/h5_file.h"
 #include "files/h5_read.h"
-#include "files/h5_source.h"
 #include "files/text.h"
-#include "files/trailer.h"
 
 sph2d_diagnostic *sph2d__h5_refuse(sph2d__h5_reader *r, sph2d_code code, const char *format, ...)
 {

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "files/h5_scope.h"
+#include "files/h5_file.h"
 #include "files/pool.h"
 #include "sph2d/status.h"
 

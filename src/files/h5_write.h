@@ -7,8 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "files/h5_scope.h"
-#include "files/h5_sink.h"
+#include "files/h5_file.h"
 #include "sph2d/status.h"
 
 typedef struct sph2d__h5_writer {

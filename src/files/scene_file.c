@@ -10,9 +10,6 @@
 #include "base/null.h"
 #include "files/convert.h"
 #include "files/document.h"
-#include "files/overrides.h"
-#include "files/scene_tables.h"
-#include "files/start_file.h"
 
 struct sph2d_scene_file {
     sph2d__document document;

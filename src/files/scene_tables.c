@@ -2,7 +2,7 @@
 /** @file scene_tables.c
  *  Which keys of a scene name tables, and one way to read them all. A key is a row of `places`; what its table is about
  *  is a kind (table_kind.h). */
-#include "files/scene_tables.h"
+#include "files/scene_file.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/c_locale.h"
+#include "base/number.h"
 #include "sph2d/io.h"
 #include "sph2d/key.h"
 

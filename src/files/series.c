@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include "base/atomic_file.h"
-#include "base/c_locale.h"
 #include "base/null.h"
+#include "base/number.h"
 #include "sph2d/io.h"
 
 #define TIME_COLUMN "time [s]"

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files/snapshot_parts.h"
+#include "files/snapshot.h"
 
 /** Rows that are gathered in memory at a time. */
 enum { BLOCK_ROWS = 16384 };

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/null.h"
-#include "files/overrides.h"
+#include "files/document.h"
 #include "files/scene_file.h"
 #include "files/snapshot.h"
 

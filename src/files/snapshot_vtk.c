@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "files/snapshot_parts.h"
+#include "files/snapshot.h"
 
 /** The points, in order: the values of the field Kinds. */
 static const sph2d_group kinds[] = {SPH2D_GROUP_FLUID, SPH2D_GROUP_WALL, SPH2D_GROUP_OUTLINE};

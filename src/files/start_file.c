@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file start_file.c
  *  The starts of a scene that name files: what of a snapshot is taken, and what is kept to resume. */
-#include "files/start_file.h"
+#include "files/scene_file.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_check.c
  *  What is wrong with a study beyond its keys and types. */
-#include "files/study_check.h"
-#include "files/study_rows.h"
+#include "files/study_file.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -6,8 +6,7 @@
 
 #include "base/null.h"
 #include "files/convert.h"
-#include "files/study_check.h"
-#include "files/study_rows.h"
+#include "files/study_file.h"
 
 struct sph2d_study_file {
     sph2d__document document;

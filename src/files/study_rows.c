@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file study_rows.c
  *  The rows of a study: its runs, each with every combination of the values that are varied. */
-#include "files/study_rows.h"
+#include "files/study_file.h"
 
 #include <stdio.h>
 #include <string.h>

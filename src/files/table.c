@@ -9,7 +9,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/c_locale.h"
 #include "base/null.h"
 #include "base/number.h"
 #include "sph2d/io.h"

@@ -2,7 +2,7 @@
 /** @file yaml.c
  *  The only file that uses libfyaml. It handles the parser's events, not its documents, so that duplicate keys can be
  *  reported with all other errors, nothing recurses, and aliases cannot expand without bound. */
-#include "files/yaml.h"
+#include "files/document.h"
 
 #include <errno.h>
 #include <libfyaml.h>

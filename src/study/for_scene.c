@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/c_locale.h"
 #include "base/null.h"
+#include "base/number.h"
 #include "sph2d/study_results.h"
 
 /** A text in YAML's quotes. */

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/c_locale.h"
 #include "base/number.h"
 
 const char *sph2d__setting(const sph2d_study_run *run, const char *path)

@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/** @file text_read.c
- *  Reads a file of any kind into memory, up to a limit. */
+/** @file text_file.c
+ *  Whole files: reads one of any kind into memory, up to a limit, and writes a text to one atomically. */
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/atomic_file.h"
+#include "base/null.h"
 #include "files/text.h"
+#include "sph2d/io.h"
+
+/* ---- reading ----------------------------------------------------------------------------------------------------- */
 
 static sph2d_status too_long(const char *path, size_t limit, sph2d_report *report)
 {
@@ -82,4 +87,36 @@ sph2d_status sph2d__text_read(const char *path, size_t limit, char **text, size_
     sph2d_status status = sph2d__text_read_open(fd, path, limit, text, length, report);
     close(fd);
     return status;
+}
+
+/* ---- writing ----------------------------------------------------------------------------------------------------- */
+
+sph2d_status sph2d_text_write(const char *path, const char *text, size_t length, sph2d_report *report)
+{
+    if (!path)
+        return sph2d__null(report, __func__, "path");
+    if (!text && length > 0)
+        return sph2d__null(report, __func__, "text");
+    sph2d__atomic_file file;
+    sph2d_status status = sph2d__atomic_begin(&file, path, report);
+    if (status != SPH2D_OK)
+        return status;
+    FILE *out = fopen(file.temp_path, "wb");
+    if (!out) {
+        sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "create", path, errno);
+        sph2d__atomic_abort(&file);
+        return SPH2D_CANTCREAT;
+    }
+    errno = 0;
+    bool ok = length == 0 || fwrite(text, 1, length, out) == length;
+    int error = errno;
+    if (fclose(out) != 0 && ok) {
+        ok = false;
+        error = errno;
+    }
+    if (ok)
+        return sph2d__atomic_commit(&file, report);
+    sph2d__report_errno(report, SPH2D_CODE_FILE_WRITE, "write", path, error);
+    sph2d__atomic_abort(&file);
+    return SPH2D_IO;
 }
