@@ -1,7 +1,131 @@
 /* SPDX-License-Identifier: MIT */
 /** @file probes.c
- *  The table of probe kinds. */
+ *  The kinds of probes that take a few lines, and the table of all. */
 #include "probes/probes.h"
+
+#include <math.h>
+
+#include "probes/coverage.h"
+#include "sim/loads.h"
+
+/* ---- at a point: velocity, pressure ------------------------------------------------------------------------------ */
+
+size_t sph2d__probe_speed(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    sph2d_sample sample;
+    sph2d_sim_sample(sim, probe->at, &sample);
+    values[0] = sample.velocity[0];
+    values[1] = sample.velocity[1];
+    values[2] = hypot(sample.velocity[0], sample.velocity[1]);
+    values[3] = sample.neighbours;
+    return 4;
+}
+
+size_t sph2d__probe_pressure(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    sph2d_sample sample;
+    sph2d_sim_sample(sim, probe->at, &sample);
+    bool gauge = probe->size > 0 || probe->rise_time > 0;
+    values[0] = gauge ? sph2d__gauge_reading(sim, (size_t)(probe - sim->world.scene.probes)) : sample.pressure;
+    values[1] = sample.density;
+    values[2] = sample.neighbours;
+    return 3;
+}
+
+/* ---- the liquid's area, and its level at rest (coverage.h) ------------------------------------------------------- */
+
+size_t sph2d__probe_volume(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    (void)probe;
+    sph2d__coverage coverage;
+    values[0] = NAN;
+    values[1] = sph2d__placed_area(sim);
+    if (sph2d__coverage_make(&coverage, sim)) {
+        values[0] = sph2d__coverage_area(&coverage);
+        sph2d__coverage_free(&coverage);
+    }
+    return 2;
+}
+
+size_t sph2d__probe_level(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    (void)probe;
+    sph2d__coverage coverage;
+    values[0] = NAN;
+    if (sph2d__coverage_make(&coverage, sim)) {
+        values[0] = sph2d__coverage_level(&coverage, sph2d__coverage_area(&coverage));
+        sph2d__coverage_free(&coverage);
+    }
+    return 1;
+}
+
+/* ---- walls: forces of the liquid, and their work (sim/loads.h) --------------------------------------------------- */
+
+static const sph2d__load_state *load_of(const sph2d_sim *sim, const sph2d_probe *probe)
+{
+    return &sim->loads.states[sim->loads.of_probe[probe - sim->world.scene.probes]];
+}
+
+size_t sph2d__probe_force(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    const sph2d__load_state *l = load_of(sim, probe);
+    const sph2d__pull contact = {l->springs.x + l->contact.x, l->springs.y + l->contact.y,
+                                 l->springs.torque + l->contact.torque};
+    values[0] = l->pressure.x + l->friction.x + contact.x;
+    values[1] = l->pressure.y + l->friction.y + contact.y;
+    values[2] = l->pressure.torque + l->friction.torque + contact.torque;
+    values[3] = l->pressure.x;
+    values[4] = l->pressure.y;
+    values[5] = l->friction.x;
+    values[6] = l->friction.y;
+    values[7] = contact.x;
+    values[8] = contact.y;
+    values[9] = l->impulse.x;
+    values[10] = l->impulse.y;
+    values[11] = l->impulse.torque;
+    return 12;
+}
+
+size_t sph2d__probe_work(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    values[0] = load_of(sim, probe)->power;
+    values[1] = load_of(sim, probe)->work;
+    return 2;
+}
+
+/* ---- a body: where it is, how it moves, and the force of the liquid ---------------------------------------------- */
+
+size_t sph2d__probe_body(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    const int wall = sph2d__wall_named(&sim->world, probe->on);
+    const sph2d__rigid *r = &sim->bodies.items[sim->world.walls[wall].index];
+    const sph2d__rigid_state *now = r->state;
+    const double all[] = {r->center.x + now->place.x,
+                          r->center.y + now->place.y,
+                          now->place.turn,
+                          now->velocity.x,
+                          now->velocity.y,
+                          now->velocity.turn,
+                          now->liquid.x,
+                          now->liquid.y,
+                          now->liquid.turn,
+                          sph2d__body_energy(sim, r)};
+    const size_t count = sizeof all / sizeof *all;
+    for (size_t k = 0; k < count; ++k)
+        values[k] = all[k];
+    return count;
+}
+
+/* ---- what flows through an opening ------------------------------------------------------------------------------- */
+
+size_t sph2d__probe_opening(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
+{
+    const sph2d_opening *opening = sph2d__opening_named(&sim->world.scene, probe->on);
+    sph2d__opening_read(sim, (size_t)(opening - sim->world.scene.openings), values);
+    return SPH2D__OPENING_READINGS;
+}
+
+/* ---- the table --------------------------------------------------------------------------------------------------- */
 
 static const struct {
     sph2d__probe_kind *evaluate;
