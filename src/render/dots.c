@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "render/gl_loader.h"
 #include "render/legend.h"
-#include "render/shader.h"
 
 sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report)
 {

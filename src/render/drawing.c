@@ -8,8 +8,8 @@
 
 #include "base/random.h"
 #include "render/dots.h"
+#include "render/gl_loader.h"
 #include "render/legend.h"
-#include "render/shader.h"
 
 /* Colours of the background, inside the domain and outside; of paper for ink. */
 static const unsigned char inside[3] = {246, 249, 251}, outside[3] = {231, 235, 239}, paper[3] = {255, 255, 255};

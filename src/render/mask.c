@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render/shader.h"
+#include "render/gl_loader.h"
 
 /* Texture units of the program. */
 enum { COVER, KINDS };

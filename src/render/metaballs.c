@@ -12,7 +12,7 @@
 
 #include <math.h>
 
-#include "render/shader.h"
+#include "render/gl_loader.h"
 #include "render/target.h"
 
 /* Texture units of the second pass. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file shader.c
  *  Compiles and links GLSL, and converts the compiler's log to diagnostics with line numbers. */
-#include "render/shader.h"
+#include "render/gl_loader.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
  *  which the card chooses by itself: which of them are drawn is known to a texture. */
 #include "render/target.h"
 
-#include "render/shader.h"
+#include "render/gl_loader.h"
 
 static const char *framebuffer_text(GLenum framebuffer_status)
 {
