@@ -56,7 +56,7 @@ enum { SPH2D__PADDING = 16 };
     X(multiplier)   /* dt^2 p/rho0 during the solution [m^2] */                                                        \
     X(residual)     /* compression error */                                                                            \
     X(direction)    /* trial multiplier: a float twice, lanes.h */                                                     \
-    X(packed_place) /* two arrays of floats each, one after the other: packed.h */                                     \
+    X(packed_place) /* two arrays of floats each, one after the other: hybrid.h */                                     \
     X(packed_state)                                                                                                    \
     X(start_x) /* position of a boundary particle at time 0 */                                                         \
     X(start_y)                                                                                                         \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file profile.c
  *  Clocks of the phases of a step. */
-#include "methods/common/profile.h"
+#include "methods/common/system.h"
 
 #include <time.h>
 

@@ -1,15 +1,38 @@
 /* SPDX-License-Identifier: MIT */
 /** @file system.h
- *  The system that a method advances: fluid and boundary particles with their cells, and the liquid's parameters. */
+ *  The system that a method advances: fluid and boundary particles with their cells, and the liquid's
+ *  parameters; and the clocks of the phases of its step. A phase lasts until another one is entered; with the clocks off,
+ *  entering costs one comparison. */
 #ifndef SPH2D_METHODS_COMMON_SYSTEM_H
 #define SPH2D_METHODS_COMMON_SYSTEM_H
 
 #include "base/memory.h"
 #include "forces/forces.h"
-#include "methods/common/profile.h"
 #include "particles/cells.h"
 #include "particles/neighbours.h"
 #include "sph2d/sim.h"
+
+/* ---- clocks ------------------------------------------------------------------------------------------------------ */
+
+typedef struct sph2d__profile {
+    bool on;
+    sph2d_phase phase; /**< SPH2D_PHASE_COUNT between steps */
+    double wall, cpu;  /**< clock readings when it was entered [s] */
+    sph2d_profile sums;
+} sph2d__profile;
+
+void sph2d__profile_switch(sph2d__profile *profile, sph2d_phase phase);
+
+/** Enters a phase; returns the previous one, so that it can be entered again. SPH2D_PHASE_COUNT stops the clocks. */
+static inline sph2d_phase sph2d__profile_enter(sph2d__profile *profile, sph2d_phase phase)
+{
+    sph2d_phase left = profile->phase;
+    if (profile->on && phase != left)
+        sph2d__profile_switch(profile, phase);
+    return left;
+}
+
+/* ---- the system -------------------------------------------------------------------------------------------------- */
 
 /** Intervals and upper end of sph2d__system's pair_gain. */
 enum { SPH2D__PAIR_GAINS = 96, SPH2D__PAIR_GAIN_TOP = 4 };

@@ -29,6 +29,7 @@
 
 #include "methods/common/method.h"
 #include "methods/common/slabs.h"
+#include "methods/common/state_equation.h"
 #include "simd/isa.h"
 
 /** The time scheme (adams_bashforth.c): method.h. */
@@ -48,5 +49,23 @@ sph2d__wall_force sph2d__fitted_surface_force(const sph2d__system *system, size_
 
 /** gamma for a square lattice of spacing 1 and the support radius `ratio`. */
 double sph2d__fitted_residual_gain(double ratio);
+
+/* ---- what fits near walls know of their surfaces ----------------------------------------------------------------- */
+
+/* Largest depth [dx] of boundary particles of the first layer, which represent the surface. */
+static const double FIRST_LAYER = 0.75;
+/* Weight of the density gradient known at a wall relative to neighbours. Without it the gradient at a wall is an
+ * extrapolation, and a cavity at Re 1000 diverged. */
+static const double GRADIENT_WEIGHT = 0.1;
+
+/** The density gradient along the normal at boundary particle b, in units of H, for a density and a body force there. */
+static inline double sph2d__fitted_slope(const sph2d__system *s, size_t b, double density, sph2d_vec2 at)
+{
+    const sph2d__store *w = &s->walls;
+    double gx = -w->ax[b], gy = -w->ay[b];
+    sph2d__forces_add(&s->forces, (sph2d__place){at.x, at.y, w->vx[b], w->vy[b]}, &gx, &gy);
+    double c2 = s->sound_speed * s->sound_speed;
+    return density / c2 * s->support * (gx * w->normal_x[b] + gy * w->normal_y[b]);
+}
 
 #endif

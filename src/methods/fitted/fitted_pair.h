@@ -10,7 +10,6 @@
 #include "methods/common/group.h"
 #include "methods/common/state_equation.h"
 #include "methods/fitted/fitted.h"
-#include "methods/fitted/fitted_surface.h"
 
 /* Sums over the neighbours of a particle: moments of order 1 to 4 of (xi, eta), the concentration gradient, then the
  * differences of u, v and rho, by themselves and times each basis function. */

@@ -12,7 +12,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
-#include "methods/fitted/fitted_surface.h"
+#include "methods/fitted/fitted.h"
 
 /* Terms of the polynomials: 1, xi, eta, xi^2, xi eta, eta^2; that of velocity has none of 1, as it is known. */
 enum { TERMS = 6, LINEAR = 3 };

@@ -5,8 +5,131 @@
 #include <string.h>
 
 #include "methods/hybrid/grid.h"
-#include "methods/hybrid/solid.h"
+#include "scene/liquid.h"
+#include "scene/pose.h"
+#include "scene/shape.h"
 #include "sim/bodies.h"
+
+/* ---- solids: how far a point is from one ------------------------------------------------------------------------- */
+
+/* Part of a spacing within which an outline lies along a side. */
+static const double ALONG = 1e-6;
+
+/** Solids in a pose, as the grid sees them. */
+typedef struct solid_shape {
+    const sph2d_scene *scene;
+    const sph2d__wall *wall;
+    const sph2d__pose *pose;
+    sph2d_box extent; /**< a rectangle around it */
+    sph2d_box inside; /**< within the sides of the domain that are walls */
+    bool reaches;     /**< such a side: of its outline only what is inside counts, as no solid ends along a side */
+} solid_shape;
+
+/** A wall as a solid in a pose; both stay the caller's. */
+static solid_shape solid_of(const sph2d__world *world, const sph2d__wall *is, const sph2d__pose *pose)
+{
+    const sph2d_scene *scene = &world->scene;
+    const bool layered = sph2d__shape_is_open(&is->shape) || sph2d__wall_is_hollow(is);
+    const sph2d_box b = sph2d__shape_bounds(&is->shape), *d = &world->box;
+    const sph2d_vec2 ends[4] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}};
+    const double more = layered ? sph2d__layer_thickness(scene) : 0, in = ALONG * scene->spacing;
+    sph2d_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    for (int k = 0; k < 4; ++k) {
+        const sph2d_vec2 p = sph2d__pose_apply(pose, ends[k]);
+        low = (sph2d_vec2){fmin(low.x, p.x - more), fmin(low.y, p.y - more)};
+        high = (sph2d_vec2){fmax(high.x, p.x + more), fmax(high.y, p.y + more)};
+    }
+    const bool over_x = low.x < d->min.x + in && high.x > d->max.x - in,
+               over_y = low.y < d->min.y + in && high.y > d->max.y - in;
+    bool wall[4]; /* or the seam of a period, on both sides of which the solid goes on */
+    for (int side = 0; side < 4; ++side) {
+        const sph2d_side kind = sph2d__side_of(scene, side);
+        wall[side] = kind == SPH2D_SIDE_WALL || (kind == SPH2D_SIDE_PERIODIC && (side < 2 ? over_x : over_y));
+    }
+    const sph2d_box inside = {{wall[0] ? d->min.x + in : -INFINITY, wall[2] ? d->min.y + in : -INFINITY},
+                              {wall[1] ? d->max.x - in : INFINITY, wall[3] ? d->max.y - in : INFINITY}};
+    const bool reaches =
+        !layered && (low.x < inside.min.x || high.x > inside.max.x || low.y < inside.min.y || high.y > inside.max.y);
+    return (solid_shape){scene, is, pose, {low, high}, inside, reaches};
+}
+
+static double coordinate(sph2d_vec2 p, int axis)
+{
+    return axis == 0 ? p.x : p.y;
+}
+
+/** Leaves of a segment what is within a box; false: nothing. */
+static bool clip(sph2d__segment *s, const sph2d_box *box)
+{
+    double from = 0, to = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double a = coordinate(s->a, axis), way = coordinate(s->b, axis) - a;
+        const double low = coordinate(box->min, axis) - a, high = coordinate(box->max, axis) - a;
+        if (way == 0) {
+            if (low > 0 || high < 0)
+                return false;
+            continue;
+        }
+        from = fmax(from, fmin(low / way, high / way));
+        to = fmin(to, fmax(low / way, high / way));
+    }
+    if (!(from <= to))
+        return false;
+    const sph2d__segment whole = *s;
+    const double x = whole.b.x - whole.a.x, y = whole.b.y - whole.a.y;
+    *s = (sph2d__segment){{whole.a.x + from * x, whole.a.y + from * y}, {whole.a.x + to * x, whole.a.y + to * y}};
+    return true;
+}
+
+/** Distance of a point from a solid's outline; `drawn`: the point, where the scene draws the solid [m]. */
+static double outline_distance(const solid_shape *s, sph2d_vec2 at, sph2d_vec2 drawn)
+{
+    const sph2d_shape *outline = &s->wall->shape;
+    const double spacing = s->scene->spacing;
+    if (!s->reaches)
+        return sph2d__shape_nearest(outline, spacing, drawn);
+    double nearest = INFINITY;
+    for (size_t k = 0, n = sph2d__shape_pieces(outline, spacing); k < n; ++k) {
+        sph2d__segment piece = sph2d__shape_piece(outline, spacing, k);
+        piece.a = sph2d__pose_apply(s->pose, piece.a);
+        piece.b = sph2d__pose_apply(s->pose, piece.b);
+        if (clip(&piece, &s->inside))
+            nearest = fmin(nearest, sph2d__segment_distance(&piece, at));
+    }
+    return nearest;
+}
+
+/** Distance of a point from a solid, negative in it [m]. Of a line or a hollow outline the solid are the layers behind it. */
+static double distance_from(const solid_shape *s, sph2d_vec2 point)
+{
+    const sph2d_scene *scene = s->scene;
+    const sph2d__wall *o = s->wall;
+    const sph2d_shape *outline = &o->shape;
+    const sph2d_vec2 at = {fmin(fmax(point.x, s->inside.min.x), s->inside.max.x),
+                           fmin(fmax(point.y, s->inside.min.y), s->inside.max.y)};
+    const sph2d_vec2 p = sph2d__pose_invert(s->pose, at);
+    const double d = outline_distance(s, at, p), thick = sph2d__layer_thickness(scene);
+    if (!sph2d__shape_is_open(outline)) {
+        if (sph2d__wall_fills(scene, o, p))
+            return -d;
+        const bool beyond = sph2d__wall_is_hollow(o) && !sph2d__shape_contains(outline, p);
+        return beyond ? d - thick : d;
+    }
+    /* A line is wet on one side, with layers on the other: the side is that of its nearest piece. */
+    double nearest = INFINITY, side = 0;
+    for (size_t k = 0, n = sph2d__shape_pieces(outline, scene->spacing); k < n; ++k) {
+        const sph2d__segment piece = sph2d__shape_piece(outline, scene->spacing, k);
+        const double r = sph2d__segment_distance(&piece, p);
+        if (r < nearest) {
+            nearest = r;
+            side = sph2d__segment_side(&piece, p);
+        }
+    }
+    const bool wet = o->liquid == SPH2D_LIQUID_RIGHT ? side < 0 : side > 0;
+    return wet ? d : d < thick ? -d : d - thick;
+}
+
+/* ---- the squares ------------------------------------------------------------------------------------------------- */
 
 /** A range of corners. */
 typedef struct corners {
@@ -14,7 +137,7 @@ typedef struct corners {
 } corners;
 
 /** The corners within a square and a half of a solid. */
-static corners corners_near(const sph2d__grid *g, const sph2d__solid *s)
+static corners corners_near(const sph2d__grid *g, const solid_shape *s)
 {
     const double x = 1.5 * (double)g->hx, y = 1.5 * (double)g->hy;
     return (corners){sph2d__grid_clamp((s->extent.min.x - x - g->low_x) * g->inverse_x + 1, g->nx + 1),
@@ -25,14 +148,14 @@ static corners corners_near(const sph2d__grid *g, const sph2d__solid *s)
 
 /** Sets the distances of the corners near a solid from it, in `own`; lowers those from all, and gives the corners that it is
  *  nearest to its velocity and slip. */
-static void add_solid(sph2d__grid *g, const sph2d__solid *solid, const corners *c, float *own)
+static void add_solid(sph2d__grid *g, const solid_shape *solid, const corners *c, float *own)
 {
     const float stick = solid->wall->slip == SPH2D_SLIP_NONE ? 1 : 0;
     for (int j = c->bottom; j <= c->top; ++j)
         for (int i = c->left; i <= c->right; ++i) {
             const sph2d_vec2 at = {g->low_x + (i - 1) * (double)g->hx, g->low_y + (j - 1) * (double)g->hy};
             const size_t k = sph2d__at(g, i, j);
-            own[k] = (float)sph2d__solid_distance(solid, at);
+            own[k] = (float)distance_from(solid, at);
             if (!(own[k] < g->distance[k]))
                 continue;
             const sph2d_vec2 v = sph2d__pose_velocity(solid->pose, at);
@@ -81,8 +204,8 @@ static bool is_inside_rest(const sph2d__world *world, sph2d_vec2 p)
 {
     const sph2d__pose still = {.cosine = 1};
     for (size_t k = SPH2D__WALL_OBSTACLE; k < world->wall_count; ++k) {
-        const sph2d__solid solid = sph2d__solid_of(world, &world->walls[k], &still);
-        if (!sph2d__wall_moves(solid.wall) && sph2d__solid_distance(&solid, p) <= 0)
+        const solid_shape solid = solid_of(world, &world->walls[k], &still);
+        if (!sph2d__wall_moves(solid.wall) && distance_from(&solid, p) <= 0)
             return true;
     }
     return false;
@@ -90,7 +213,7 @@ static bool is_inside_rest(const sph2d__world *world, sph2d_vec2 p)
 
 /** Whether the way between the middles of two squares, both outside a solid, passes it as it is thinner than they are.
  *  `distance` are those from it, or from all at rest (`solid` is NULL). */
-static bool passes(const sph2d_sim *sim, const sph2d__grid *g, const sph2d__solid *solid, const sph2d__barrier *barrier,
+static bool passes(const sph2d_sim *sim, const sph2d__grid *g, const solid_shape *solid, const sph2d__barrier *barrier,
                    const float *distance, size_t from, size_t to)
 {
     const float near = g->hx + g->hy, one = middle(g, distance, from), other = middle(g, distance, to);
@@ -106,7 +229,7 @@ static bool passes(const sph2d_sim *sim, const sph2d__grid *g, const sph2d__soli
     if (!sph2d__barrier_crosses(barrier, drawn[0], drawn[1]))
         return false;
     for (int n = 0; n < 2; ++n)
-        if (solid ? sph2d__solid_distance(solid, ends[n]) <= 0 : is_inside_rest(&sim->world, ends[n]))
+        if (solid ? distance_from(solid, ends[n]) <= 0 : is_inside_rest(&sim->world, ends[n]))
             return false;
     return true;
 }
@@ -116,8 +239,8 @@ static bool passes(const sph2d_sim *sim, const sph2d__grid *g, const sph2d__soli
 /** Open parts of faces and hidden parts of squares by all solids at rest, as one: the nearest counts. */
 static void cut_by_rest(const sph2d_sim *sim, sph2d__grid *g)
 {
-    const float full = g->hx * g->hy / (float)(sim->world.scene.spacing * sim->world.scene.spacing),
-                unit = 2 / (g->hx + g->hy), side = 1 / 0.875F, *distance = g->distance;
+    const float full = g->hx * g->hy / (float)(sim->world.scene.spacing * sim->world.scene.spacing), unit = 2 / (g->hx + g->hy),
+                side = 1 / 0.875F, *distance = g->distance;
     const size_t up = g->stride;
     const sph2d__barrier *b = &sim->barrier;
     for (int j = 1; j <= g->ny + 1; ++j)
@@ -201,7 +324,7 @@ static bool close_face(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, s
 /** Closes faces and hides squares near a solid that moves. False: memory is short. */
 static bool cut_by(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, float *own)
 {
-    const sph2d__solid s = sph2d__solid_of(&sim->world, m->drawn, &m->to);
+    const solid_shape s = solid_of(&sim->world, m->drawn, &m->to);
     const corners c = corners_near(g, &s);
     const float unit = 2 / (g->hx + g->hy);
     const size_t up = g->stride;
@@ -330,7 +453,7 @@ void sph2d__grid_place_solids(sph2d_sim *sim, sph2d__grid *g)
     for (size_t k = 0; k < g->size; ++k)
         g->distance[k] = 4 * (g->hx + g->hy);
     for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k) {
-        const sph2d__solid s = sph2d__solid_of(&sim->world, &sim->world.walls[k], &still);
+        const solid_shape s = solid_of(&sim->world, &sim->world.walls[k], &still);
         const corners c = corners_near(g, &s);
         if (!sph2d__wall_moves(s.wall))
             add_solid(g, &s, &c, g->pressure.product);

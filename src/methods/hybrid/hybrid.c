@@ -7,7 +7,6 @@
 
 #include "base/parallel.h"
 #include "kernels/kernel.h"
-#include "methods/common/packed.h"
 #include "methods/hybrid/grid.h"
 #include "methods/terms/tension.h"
 #include "scene/method_table.h"
@@ -66,7 +65,7 @@ static void pack(sph2d__system *s)
         s->grid->packed = s->fluid.capacity;
 }
 
-/* ---- one step ----------------------------------------------------------------------------------------------------- */
+/* ---- one step ---------------------------------------------------------------------------------------------------- */
 
 static void accelerate(sph2d__system *s, size_t first, size_t last)
 {

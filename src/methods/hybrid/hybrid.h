@@ -33,9 +33,16 @@
 #define SPH2D_METHODS_HYBRID_HYBRID_H
 
 #include "methods/common/method.h"
-#include "methods/common/packed.h"
 #include "methods/common/slabs.h"
+#include "particles/store.h"
 #include "simd/isa.h"
+
+/** One of the two arrays of floats in the space of an array of doubles. */
+static inline float *sph2d__floats(const sph2d__store *store, double *array, int which)
+{
+    void *floats = array; /* it never holds anything else */
+    return floats ? (float *)floats + (size_t)which * store->capacity : NULL;
+}
 
 /** How far the place of a particle is moved, over its bound; `shift`: along another axis. */
 static inline double sph2d__hybrid_jitter(uint64_t id, unsigned shift)

@@ -5,7 +5,6 @@
 #define SPH2D__MIXED
 #include "kernels/kernel.h"
 #include "methods/common/group.h"
-#include "methods/common/packed.h"
 #include "methods/hybrid/hybrid.h"
 #include "scene/method_table.h"
 

@@ -8,7 +8,7 @@
 #include "methods/common/group.h"
 #include "methods/muller/muller.h"
 #include "methods/muller/muller_side.h"
-#include "methods/terms/viscosity_pair.h"
+#include "methods/terms/viscosity.h"
 
 /** Poly6 without its constant, for particles at `at` and a candidate at (x, y). */
 SPH2D__INLINE sph2d__lanes shape_of(double support2, sph2d__lanes at_x, sph2d__lanes at_y, double x, double y)

@@ -9,7 +9,7 @@
 #include "methods/common/shortest.h"
 #include "methods/projection/limited_viscosity_pair.h"
 #include "methods/projection/projection.h"
-#include "methods/terms/viscosity_pair.h"
+#include "methods/terms/viscosity.h"
 
 /* ---- density, gradients and viscosity ---------------------------------------------------------------------------- */
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file viscosity.h
- *  Viscosity of the methods: its forms and step limits. The pair terms are in viscosity_pair.h.
+ *  Viscosity of the methods: its forms, their pair terms and step limits.
  *
  *  The Laplacian form, from velocity differences between neighbours,
  *
@@ -24,6 +24,7 @@
 #define SPH2D_METHODS_TERMS_VISCOSITY_H
 
 #include "methods/common/system.h"
+#include "simd/lanes.h"
 
 /** The weight of the central form, 8/(2 <r^2>) [1/m^2]. */
 double sph2d__central_weight(sph2d_kernel kernel, double support);
@@ -38,5 +39,20 @@ double sph2d__viscosity_at_least(const sph2d__system *system);
  *  it: one over its largest eigenvalue is 0.0166 to 0.0218 there for Wendland's C2, 0.0099 to 0.0129 for C6 (H/dx 2.4 to
  *  4), where halves are 0.0150 and 0.0094. */
 double sph2d__viscosity_step(sph2d_kernel kernel);
+
+/* ---- pair terms -------------------------------------------------------------------------------------------------- */
+
+/** Sums of the Laplacian form, without the factors that are common to all neighbours. */
+typedef struct sph2d__drag {
+    sph2d__lanes x, y;
+} sph2d__drag;
+
+/** Adds a neighbour: `share` is V_j (W'/r) or V_j lap W, (dvx, dvy) the difference of the velocities. A viscosity that
+ *  depends on the strain rate changes only the share. */
+SPH2D__INLINE void sph2d__drag_add(sph2d__drag *sum, sph2d__lanes share, sph2d__lanes dvx, sph2d__lanes dvy)
+{
+    sum->x += share * dvx;
+    sum->y += share * dvy;
+}
 
 #endif
