@@ -23,9 +23,6 @@ bool sph2d__has_inset_row(const sph2d__wall *wall);
 /** Piece `index` of a closed outline moved inwards by a distance [m], as a layer's. */
 sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d__wall *obstacle, size_t index, double distance);
 sph2d_status sph2d__sim_place_side_layers(sph2d_sim *sim, sph2d_report *report);
-/** Sets the slip of each boundary particle, where walls differ in it; all are placed, and not sorted yet. Errors:
- *  SPH2D_NOMEM. */
-sph2d_status sph2d__sim_set_slips(sph2d_sim *sim);
 /** Place the particles of one block; all blocks and the single particles. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *report);
 sph2d_status sph2d__sim_place_fluid(sph2d_sim *sim, sph2d_report *report);

@@ -239,8 +239,8 @@ static bool passes(const sph2d_sim *sim, const sph2d__grid *g, const solid_shape
 /** Open parts of faces and hidden parts of squares by all solids at rest, as one: the nearest counts. */
 static void cut_by_rest(const sph2d_sim *sim, sph2d__grid *g)
 {
-    const float full = g->hx * g->hy / (float)(sim->world.scene.spacing * sim->world.scene.spacing), unit = 2 / (g->hx + g->hy),
-                side = 1 / 0.875F, *distance = g->distance;
+    const float full = g->hx * g->hy / (float)(sim->world.scene.spacing * sim->world.scene.spacing),
+                unit = 2 / (g->hx + g->hy), side = 1 / 0.875F, *distance = g->distance;
     const size_t up = g->stride;
     const sph2d__barrier *b = &sim->barrier;
     for (int j = 1; j <= g->ny + 1; ++j)
