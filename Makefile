@@ -158,7 +158,7 @@ PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/symbols.sh tests/units.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/words.sh tests/symbols.sh tests/units.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -396,6 +396,7 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	    grep -q "$$f(" tests/test_null*.c || { echo "tests/test_null.c lacks $$f"; exit 1; }; done
 	$(first_stage)
 	$(if $(SANITIZE),,$(call stage,tests/symbols.sh $(BUILD)/libsph2d.so $(OPENMP)))
+	$(call stage,tests/words.sh $(filter src/% cli/%,$(C_FILES)))
 	$(call stage,tests/circles.sh $(CORE_OBJ) $(IO_OBJ) $(STUDY_OBJ) $(CONTACTS_OBJ) $(RENDER_OBJ) $(CLI_OBJ))
 	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all -j "$$(nproc)" --short)
 	$(if $(and $(SANITIZE),$(CLANG)),,$(call stage,SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \

@@ -18,6 +18,7 @@ missing_tools() {
     echo '#include <stdio.h>' | $CC -E - >/dev/null 2>&1 || echo libc6-dev
     [ "$OPENMP" = 0 ] || echo '#include <omp.h>' | $CC -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
     ! asked report report-full test test-full test-variants || has gnuplot || echo gnuplot-nox
+    ! asked test test-full test-variants || has hunspell || printf 'hunspell\nhunspell-en-gb\n'
     if asked test test-full test-variants && [ "$RENDER" != 0 ]; then
         has Xvfb || echo xvfb
         has xdotool || echo xdotool
