@@ -115,7 +115,7 @@ static const char *const goldens[] = {
     "    center: [0.5, 0.4]\n    velocity: [0.5, 0]\n    rate: -0.25\n    hold:\n      y: on\n"
     "    springs:\n      - at: [0.75, 0.5]\n        to: [1, 0.5]\n        stiffness: 100\n        damping: 2\n"
     "        length: 0.25\n        slack: on\n      - to: [0, 0]\n        stiffness: 5\n"
-    "    motor:\n      rate: 6\n      torque: 0.5\n    friction: 0.5\n    restitution: 0.25\n    form: generalised\n"
+    "    motor:\n      rate: 6\n      torque: 0.5\n    friction: 0.5\n    restitution: 0.25\n"
     "  - circle:\n      center: [0.5, 0.75]\n      radius: 0.125\n    mass: 20\n    hold:\n      x: on\n      angle: "
     "on\n"
     "  - box:\n      min: [0.125, 0.75]\n      max: [0.25, 1]\n    density: 2700\n"

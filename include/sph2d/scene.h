@@ -726,9 +726,6 @@ typedef struct sph2d_body {
     /** Contacts: normal speed after over before, 0 to 1; default 0. Of two bodies the larger one counts. */
     double restitution;
 
-    /** Form of its surface: heavy (muller) or generalised (not muller); default: the method's. */
-    sph2d_wall_form form;
-
     /** Generalised only: slip or friction of liquid along it; default the scene's wall_slip. */
     sph2d_wall_slip slip;
 } sph2d_body;

@@ -59,15 +59,6 @@ static void check_hold(checker *c, size_t k)
         fault(c, k, SPH2D_CODE_CONFLICT, ".motor", "turns a body that `hold` keeps from turning");
 }
 
-static void check_form(checker *c, size_t k)
-{
-    const sph2d_body *body = &c->scene->bodies[k];
-    if (body->form == SPH2D_WALL_REFLECT)
-        sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_UNSUPPORTED, ".form",
-                                    "a reflecting surface has no pressure that could carry a body"),
-                              "leave it out for the method's own form");
-}
-
 /** Warns of sizes and densities beyond those that are tested. */
 static void check_size(checker *c, size_t k)
 {
@@ -211,7 +202,6 @@ void sph2d__check_body_keys(checker *c)
     for (size_t k = 0; k < c->scene->body_count; ++k) {
         check_mass(c, k);
         check_hold(c, k);
-        check_form(c, k);
     }
 }
 

@@ -423,8 +423,6 @@ static void check_walls(sph2d__checker *c)
     check_form(c, "walls", c->given->walls);
     for (size_t i = 0; i < c->given->obstacle_count; ++i)
         check_form(c, sph2d__check_path(path, "obstacles", i, ".form"), c->given->obstacles[i].form);
-    for (size_t i = 0; i < c->given->body_count; ++i)
-        check_form(c, sph2d__check_path(path, "bodies", i, ".form"), c->given->bodies[i].form);
 }
 
 /** Whether liquid of blocks leaves room for a surface. Where layers lie beside an open line is not known here, nor what

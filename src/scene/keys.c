@@ -390,8 +390,6 @@ static const sph2d_key body_items[] = {
      .text = "contacts with walls and bodies: coefficient of dry friction"},
     {"restitution", SPH2D_KEY_NUMBER, false, AT(sph2d_body, restitution), BETWEEN(0, 1), .unit = "",
      .default_text = "0", .text = "contacts: ratio of normal speeds after and before"},
-    {"form", SPH2D_KEY_WORD, false, AT(sph2d_body, form), .words = wall_words, .unit = "",
-     .default_text = "the method's", .text = "heavy (muller) or generalised (not muller)"},
     {"slip", SPH2D_KEY_WORD, false, AT(sph2d_body, slip), .words = wall_slip_words, .unit = "",
      .default_text = "the scene's wall_slip", .feature = SPH2D_FEATURE_WALL_SLIP,
      .text = "generalised: free slip, no slip (none), or friction by the law of the wall (smooth)"},

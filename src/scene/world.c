@@ -140,7 +140,7 @@ static sph2d__wall body_wall(const sph2d_scene *scene, size_t index)
                          .name = body->name,
                          .key = sph2d__shape_key(body->shape.kind),
                          .shape = body->shape,
-                         .form = sph2d__obstacle_form(&scene->method, body->form),
+                         .form = sph2d__obstacle_form(&scene->method, SPH2D_WALL_DEFAULT),
                          .slip = slip_or_scene(scene, body->slip),
                          .restitution = plain.restitution,
                          .motion = plain.motion,

@@ -108,7 +108,7 @@ const char *sph2d__wall_path(char *path, size_t size, const sph2d__wall *wall, c
 bool sph2d__wall_moves(const sph2d__wall *wall);
 bool sph2d__wall_turns(const sph2d__wall *wall);
 
-/** The form of a scene's sides, and of an obstacle or body that has `form`. */
+/** The form of a scene's sides, and of an obstacle that has `form`; bodies have the default one. */
 sph2d_wall_form sph2d__side_form(const sph2d_scene *scene);
 sph2d_wall_form sph2d__obstacle_form(const sph2d_method_options *method, sph2d_wall_form form);
 
