@@ -70,8 +70,6 @@ void sph2d__check_way(sph2d__checker *c, size_t index, const sph2d__course *cour
 
 /** Checks every opening; obstacles are valid. */
 void sph2d__check_openings(sph2d__checker *c);
-/** Checks the velocity over place and time that an opening has; its ends are valid. */
-void sph2d__check_profile(sph2d__checker *c, size_t i);
 /** Warns of an opening whose inflow does not go with the liquid before it; `filled`: liquid fills the domain. */
 void sph2d__check_inflow(sph2d__checker *c, size_t i, bool filled);
 /** Warns of openings and drains that no liquid can get to. */
