@@ -71,6 +71,27 @@ START_TEST(inclines)
 }
 END_TEST
 
+/** A disc flies at a line from each of its sides, and stops at it: the line is seen before the disc is in it. */
+START_TEST(lines_stop_discs_from_all_sides)
+{
+    static const sph2d_vec2 to[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    const sph2d_vec2 d = to[_i];
+    sph2d_vec2 line[2] = {{0.5 - 0.2 * d.y, 0.5 + 0.2 * d.x}, {0.5 + 0.2 * d.y, 0.5 - 0.2 * d.x}};
+    contact_world *w = world_new();
+    w->gravity = (sph2d_vec2){0, 0};
+    world_obstacle(w, (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {line, 2}}, line[0]);
+    uint32_t a = world_disc(w, 0.5 - 0.1003 * d.x, 0.5 - 0.1003 * d.y, 0.05);
+    w->states[a].velocity = d;
+    for (int step = 0; step < 400; ++step) {
+        world_step(w, false);
+        const sph2d_vec2 c = w->states[a].center;
+        ck_assert_double_ge((0.5 - c.x) * d.x + (0.5 - c.y) * d.y, 0.05 - 1e-6);
+    }
+    NEAR(hypot(w->states[a].velocity.x, w->states[a].velocity.y), 0, 1e-9);
+    ck_assert_double_le(w->gain, 1e-12);
+}
+END_TEST
+
 /** What is held along x is a wall along x, and moves along y. */
 START_TEST(held)
 {
@@ -268,6 +289,7 @@ Suite *suite_contacts(void)
     tcase_add_test(tests, impacts);
     tcase_add_test(tests, far_apart);
     tcase_add_test(tests, inclines);
+    tcase_add_loop_test(tests, lines_stop_discs_from_all_sides, 0, 4);
     tcase_add_test(tests, held);
     tcase_add_test(tests, moving_walls);
     tcase_add_loop_test(tests, belts, 0, SPH2D__SIDES);

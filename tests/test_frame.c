@@ -206,6 +206,22 @@ START_TEST(the_largest_gravity_and_tilt_are_found)
 }
 END_TEST
 
+/** A swing with a ramp of one period: the acceleration is largest after the ramp, A omega^2. */
+START_TEST(a_swing_is_looked_at_after_its_ramp)
+{
+    start(SPH2D_METHOD_WCSPH);
+    scene.gravity = (sph2d_vec2){0, -2};
+    scene.motion = sph2d_motion_default();
+    scene.motion.amplitude = (sph2d_vec2){0.1, 0};
+    scene.motion.frequency = 0.7;
+    scene.motion.ramp = 1 / 0.7;
+    const double omega = 2 * TEST_PI * 0.7, sideways = 0.1 * omega * omega, size = hypot(2, sideways);
+    sph2d__drive drive = sph2d__scene_drive(&scene);
+    ck_assert_double_ge(drive.gravity, size * (1 - 1e-5));
+    ck_assert_double_ge(drive.tilt, sideways / size * (1 - 1e-5));
+}
+END_TEST
+
 /** In no more time than this test has, whatever the ratio of the frequencies. */
 START_TEST(the_longest_motions_are_looked_at_briefly)
 {
@@ -276,6 +292,7 @@ Suite *suite_frame(void)
     tcase_add_loop_test(tests, a_run_in_a_moving_tank_goes_on_from_its_state_bit_by_bit, 0, METHODS);
     tcase_add_test(tests, the_length_of_a_run_does_not_change_its_sound_speed);
     tcase_add_test(tests, the_largest_gravity_and_tilt_are_found);
+    tcase_add_test(tests, a_swing_is_looked_at_after_its_ramp);
     tcase_add_test(tests, the_longest_motions_are_looked_at_briefly);
     tcase_add_test(tests, a_tank_that_jumps_is_refused);
     tcase_add_test(tests, a_tank_that_moves_already_is_warned_of);

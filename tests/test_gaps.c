@@ -150,6 +150,72 @@ START_TEST(a_gap_presses_two_bodies_apart_alike)
 }
 END_TEST
 
+/* Normals times lengths of a closed outline add up to 0, and their sum of x . n to twice the area (Gauss), whichever way
+ * round and wherever it is drawn. */
+START_TEST(pieces_lead_outwards)
+{
+    static const sph2d_vec2 corners[] = {{-0.2, -0.1}, {0.18, -0.13}, {0.1, 0.02}, {0.2, 0.15}, {-0.15, 0.12}};
+    enum { COUNT = sizeof corners / sizeof *corners };
+    static const sph2d_vec2 places[] = {{0.3, 0.2}, {0.5, 0.55}};
+    sph2d_vec2 points[COUNT];
+    const bool clockwise = _i % 2;
+    const sph2d_vec2 place = places[_i / 2];
+    double area = 0, sum = 0, x = 0, y = 0;
+    for (int k = 0; k < COUNT; ++k) {
+        const sph2d_vec2 c = corners[clockwise ? COUNT - 1 - k : k], a = corners[k], b = corners[(k + 1) % COUNT];
+        points[k] = (sph2d_vec2){place.x + c.x, place.y + c.y};
+        area += (a.x * b.y - a.y * b.x) / 2;
+    }
+    start_tank(SPH2D_METHOD_WCSPH);
+    tank.bodies[0].shape = (sph2d_shape){.kind = SPH2D_SHAPE_POLYGON, .points = {points, COUNT}};
+    sph2d_sim *sim = test_create(&tank.scene, NULL);
+    const sph2d__gaps *g = &sim->bodies.gaps;
+    for (size_t k = g->first[0]; k < g->first[1]; ++k) {
+        const sph2d__gap_piece *piece = &g->pieces[k];
+        ck_assert_double_le(hypot(piece->normal.x, piece->normal.y), DX * (1 + 1e-9));
+        sum += piece->at.x * piece->normal.x + piece->at.y * piece->normal.y;
+        x += piece->normal.x;
+        y += piece->normal.y;
+    }
+    ck_assert_double_eq_tol(x, 0, 1e-12);
+    ck_assert_double_eq_tol(y, 0, 1e-12);
+    ck_assert_double_eq_tol(sum, 2 * area, 1e-12);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
+/* Liquid at rest has the pressure p0 + rho g.x. A film under a box, with liquid at both ends, has it too: its force is the
+ * integral over the bottom, W p upwards with the torque rho g_x W^3/12, but for the ends of half a spacing, on which the
+ * liquid presses by itself. */
+START_TEST(a_gap_has_the_pressure_of_liquid_at_rest)
+{
+    const double bottom = 0.2 * DX, gx = 2, p0 = 3000, width = 0.2;
+    start_tank(SPH2D_METHOD_WCSPH);
+    tank.scene.gravity.x = gx;
+    tank.bodies[0] = box(0.3, bottom, 0.3 + width, 0.16);
+    hold(&tank.bodies[0]);
+    const sph2d_block columns[2] = {test_block(0, 0, 0.3, DEPTH), test_block(0.3 + width, 0, 0.8, DEPTH)};
+    tank.scene.blocks = columns;
+    tank.scene.block_count = 2;
+    sph2d_sim *sim = test_create(&tank.scene, NULL);
+    sph2d__store *f = &sim->system.fluid;
+    const sph2d__rigid_state *state = sim->bodies.items[0].state;
+    for (size_t i = 0; i < f->count; ++i)
+        f->pressure[i] = p0 + DENSITY * (gx * f->x[i] - G * f->y[i]);
+    sim->system.step = 1; /* in which the pressure of the film follows in full */
+    sph2d__gaps_press(sim);
+    const double p = p0 + DENSITY * (gx * (0.3 + width / 2) - G * bottom);
+    ck_assert_double_lt(p + DENSITY * gx * width / 2, DENSITY * sim->system.head);
+    ck_assert_double_eq_tol(state->gap_pressure, p, 1e-9 * p);
+    ck_assert_double_eq_tol(state->gap.x, 0, 1e-9 * p);
+    ck_assert_double_lt(state->gap.y, width * p);
+    ck_assert_double_gt(state->gap.y, (width - DX) * p);
+    ck_assert_double_lt(state->gap.turn, DENSITY * gx * pow(width, 3) / 12);
+    ck_assert_double_gt(state->gap.turn, DENSITY * gx * pow(width - DX, 3) / 12);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(threads_and_resuming_change_no_bit)
 {
     start_tank(_i);
@@ -181,6 +247,8 @@ Suite *suite_gaps(void)
     Suite *suite = suite_create("gaps");
     TCase *tests = tcase_create("gaps");
     tcase_add_loop_test(tests, a_gap_with_a_dry_end_has_no_pressure, 0, METHODS);
+    tcase_add_loop_test(tests, pieces_lead_outwards, 0, 4);
+    tcase_add_test(tests, a_gap_has_the_pressure_of_liquid_at_rest);
     tcase_add_loop_test(tests, threads_and_resuming_change_no_bit, 0, METHODS);
     suite_add_tcase(suite, tests);
     TCase *slow = test_long(suite);

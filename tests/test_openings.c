@@ -6,6 +6,9 @@
 #include <string.h>
 
 #include "channel.h"
+#include "methods/common/state_equation.h"
+#include "sim/openings_parts.h"
+#include "sim/simulation.h"
 
 /* ---- streams ----------------------------------------------------------------------------------------------------- */
 
@@ -233,6 +236,51 @@ static double energy_of_sound(void)
     return s.elastic + s.kinetic;
 }
 
+/** Lanes with values that are linear along the line, of liquid that flows out. */
+static sph2d__opening *linear_lanes(size_t index)
+{
+    sph2d__opening *o = &channel.sim->openings.items[index];
+    for (size_t k = 0; k < o->lane_count; ++k)
+        o->lanes[k] = (sph2d__lane){
+            .wet = true, .pressure = 10 + 4 * (double)k, .inward = -1 - 0.1 * (double)k, .sideward = 2 + 3 * (double)k};
+    o->now.velocity = 0.13;
+    o->now.pressure = 70;
+    *o->means = (sph2d__opening_means){.velocity = 0.1, .pressure = 20, .slope = 50, .age = 1};
+    return o;
+}
+
+/* What a reservoir's particles get (openings.h): with a velocity u = U - (p' - <p'>)/(rho0 c0) and p' of the liquid
+ * before it, with a pressure p = P - rho0 c0 (u - <u>) and its velocity, each with the slope <dp'/dn> along the normal.
+ * Along the line values are linear between lanes; the sideward velocity of what flows out fades within the support. */
+START_TEST(a_reservoir_has_what_is_prescribed)
+{
+    channel_lay(0.5, 0.25, true);
+    channel_start();
+    const sph2d__system *s = &channel.sim->system;
+    const double impedance = s->rest_density * s->sound_speed;
+    for (size_t index = 0; index < 2; ++index) {
+        sph2d__opening *o = linear_lanes(index);
+        for (int n = 0; n < 20; ++n) {
+            const double lane = 0.3 + 0.4 * n, beyond = 0.007 * n;
+            const sph2d__spot spot = {(lane + 0.5) * o->lane_width, beyond};
+            const sph2d_vec2 at = sph2d__place_of(o, spot);
+            const sph2d__prescribed p = sph2d__prescribed_at(channel.sim, o, spot, at.x, at.y);
+            const bool velocity = index == 0;
+            const double pressure = (velocity ? 10 + 4 * lane : -impedance * (0.13 - 0.1)) - 50 * (beyond + o->duct);
+            const double fade = fmax(1 - beyond / s->support, 0);
+            ck_assert_double_lt(lane, (double)o->lane_count - 1);
+            ck_assert_double_eq_tol(p.inward, velocity ? 1 - (70 - 20) / impedance : -1 - 0.1 * lane, 1e-12);
+            ck_assert_double_eq_tol(p.sideward, velocity ? 0 : fade * (2 + 3 * lane), 1e-11);
+            ck_assert_double_eq_tol(sph2d__pressure_of(s, p.density), pressure, 1e-6 * impedance);
+        }
+        for (size_t k = 0; k < o->lane_count; ++k) /* what flows in has no sideward velocity */
+            o->lanes[k].inward = 1;
+        ck_assert(sph2d__prescribed_at(channel.sim, o, (sph2d__spot){2 * o->lane_width, 0}, 0, 0).sideward == 0);
+    }
+    channel_finish();
+}
+END_TEST
+
 START_TEST(sound_leaves)
 {
     /* A pulse in the middle goes to both sides: of openings with a velocity, or with a pressure, _i of 2; without
@@ -309,6 +357,7 @@ Suite *suite_openings(void)
     TCase *test = tcase_create("openings");
     tcase_add_test(test, a_turbulent_profile_is_the_power_law);
     tcase_add_loop_test(test, points_that_make_no_profile_are_refused, 0, 8);
+    tcase_add_test(test, a_reservoir_has_what_is_prescribed);
     tcase_add_loop_test(test, sound_leaves, 0, 3);
     tcase_add_loop_test(test, threads_and_resumed_runs_give_the_same_bits, 0, 2);
     suite_add_tcase(suite, test);

@@ -8,6 +8,7 @@
 #include "common.h"
 #include "kernels/kernel.h"
 #include "methods/projection/projection.h"
+#include "sim/simulation.h"
 #include "sim/stages.h"
 #include "simd/lanes.h"
 
@@ -237,6 +238,78 @@ START_TEST(forces_are_the_transpose_of_the_rate)
 }
 END_TEST
 
+/** Sets the velocities of the boundary particles of the only body to those of its points at a motion, of others to 0. */
+static void move_rigidly(sph2d__store *w, const sph2d__rigid *r, sph2d__twist v)
+{
+    for (size_t b = 0; b < w->count; ++b) {
+        const bool own = w->id[b] >= r->first_id && w->id[b] < r->end_id;
+        w->vx[b] = own ? v.x - v.turn * (w->y[b] - r->center.y) : 0;
+        w->vy[b] = own ? v.y + v.turn * (w->x[b] - r->center.x) : 0;
+    }
+}
+
+/* The motion of a body is V + dt a - (m/M, m/M, m/I) (D' y)_body/dt (body_rows.h), with (D' y)_body the transpose of the
+ * rate by the body's motion, by differences: u . (D' y)_body = y . D u for the three motions u = V + Omega x r. */
+START_TEST(bodies_are_moved_by_the_transpose_of_the_rate)
+{
+    static const double small = 1e-6;
+    sph2d_body body = sph2d_body_default();
+    column(SPH2D_METHOD_PCISPH, 0.6, 0.4);
+    block.perturb.amplitude = 0.3;
+    body.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{0.2, 0.14}, {0.42, 0.26}}};
+    body.density = 600;
+    body.velocity = (sph2d_vec2){0.3, -0.2};
+    body.rate = 1.5;
+    scene.bodies = &body;
+    scene.body_count = 1;
+    start(1);
+    sph2d__system *s = &sim->system;
+    sph2d__store *f = &s->fluid, *w = &s->walls;
+    sph2d__rigid *r = &sim->bodies.items[0];
+    uint64_t random = 5;
+    double *fluid[2], *walls[2], rate[3] = {0, 0, 0};
+    for (int k = 0; k < 2; ++k) {
+        fluid[k] = malloc((f->count + SPH2D__PADDING) * sizeof(double));
+        walls[k] = malloc((w->count + SPH2D__PADDING) * sizeof(double));
+    }
+    for (size_t i = 0; i < f->count; ++i) {
+        f->multiplier[i] = test_random(&random, 0, 1) * (f->x[i] + 2 * f->y[i]);
+        f->vx[i] = f->vy[i] = f->ax[i] = f->ay[i] = 0;
+    }
+    for (size_t b = 0; b < w->count; ++b)
+        w->multiplier[b] = w->filling[b] > 0 ? test_random(&random, 0, 1) * (w->x[b] + 2 * w->y[b]) : 0;
+    for (int motion = 0; motion < 3; ++motion) {
+        move_rigidly(w, r, (sph2d__twist){motion == 0, motion == 1, motion == 2});
+        predict(s, small, fluid[0], walls[0]);
+        predict(s, -small, fluid[1], walls[1]);
+        for (size_t i = 0; i < f->count; ++i)
+            rate[motion] += f->multiplier[i] * (fluid[0][i] - fluid[1][i]) / (2 * small);
+        for (size_t b = 0; b < w->count; ++b)
+            rate[motion] += w->multiplier[b] * (walls[0][b] - walls[1][b]) / (2 * small);
+    }
+    s->step = 0.5;
+    r->other = (sph2d__twist){2 * r->mass, -3 * r->mass, 4 * r->inertia};
+    sph2d__projection_end(s);
+    const sph2d__twist change = {s->mass / r->mass * rate[0] / 0.5, s->mass / r->mass * rate[1] / 0.5,
+                                 s->mass / r->inertia * rate[2] / 0.5};
+    const sph2d__twist expected = {0.3 + 0.5 * 2 - change.x, -0.2 - 0.5 * 3 - change.y, 1.5 + 0.5 * 4 - change.turn};
+    const double scale = fabs(change.x) + fabs(change.y), turn = fabs(change.turn);
+    ck_assert_double_gt(fabs(change.x), 0.1);
+    ck_assert_double_gt(fabs(change.y), 0.1);
+    ck_assert_double_gt(0.1 * turn, 0.1);
+    for (size_t b = 0; b < w->count; ++b)
+        if (w->id[b] >= r->first_id && w->id[b] < r->end_id) { /* gradients are floats */
+            const double x = w->x[b] - r->center.x, y = w->y[b] - r->center.y;
+            ck_assert_double_eq_tol(w->vx[b], expected.x - expected.turn * y, 1e-5 * (scale + turn));
+            ck_assert_double_eq_tol(w->vy[b], expected.y + expected.turn * x, 1e-5 * (scale + turn));
+        }
+    for (int k = 0; k < 2; ++k) {
+        free(fluid[k]);
+        free(walls[k]);
+    }
+}
+END_TEST
+
 Suite *suite_projection(void)
 {
     Suite *suite = suite_create("projection");
@@ -247,6 +320,7 @@ Suite *suite_projection(void)
     tcase_add_loop_test(cases, the_moment_turns_multipliers_into_pressure, 0, LATTICES);
     tcase_add_test(cases, layered_walls_fill_like_liquid);
     tcase_add_test(cases, forces_are_the_transpose_of_the_rate);
+    tcase_add_test(cases, bodies_are_moved_by_the_transpose_of_the_rate);
     suite_add_tcase(suite, cases);
     return suite;
 }
