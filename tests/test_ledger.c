@@ -169,6 +169,41 @@ START_TEST(forces_of_walls_are_the_whole_change_of_momentum)
 }
 END_TEST
 
+/** Heat of a slug on a plate, each with a velocity along it, after 120 steps by muller [J/m]. */
+static double heat_on_plate(double plate, double slug)
+{
+    static const sph2d_vec2 ends[2] = {{-1, 0.3}, {2, 0.3}};
+    const sph2d_pose_point way[2] = {{0, 0, 0, 0}, {1, plate, 0, 0}};
+    plain_liquid(0.025);
+    scene.domain = (sph2d_box){{-2, 0}, {3, 1}};
+    scene.boundary = (sph2d_boundary){SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN, SPH2D_SIDE_OPEN};
+    scene.method.name = SPH2D_METHOD_MULLER;
+    scene.method.time_step = 2e-4;
+    scene.fluid.dynamic_viscosity = 20;
+    sph2d_obstacle obstacle = sph2d_obstacle_default();
+    obstacle.shape = (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {ends, 2}};
+    obstacle.form = SPH2D_WALL_HEAVY;
+    obstacle.motion.path = (sph2d_pose_path){way, plate != 0 ? 2 : 0};
+    scene.obstacles = &obstacle;
+    scene.obstacle_count = 1;
+    block = test_block(0.3, 0.3, 0.7, 0.5);
+    block.velocity.x = slug;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d_summary s = run(sim, 120);
+    sph2d_sim_destroy(sim);
+    return s.energy_viscous;
+}
+
+/* Friction makes the same heat whoever looks (Galileo): of a plate at rest, of a slug at rest, and of one that both pass. */
+START_TEST(heat_of_friction_is_the_same_in_every_frame)
+{
+    const double still = heat_on_plate(0, -0.5), energy = 1000 * 0.4 * 0.2 * 0.25 / 2;
+    ck_assert_double_gt(still, 0.02 * energy);
+    ck_assert_double_eq_tol(heat_on_plate(0.5, 0), still, 0.02 * still);
+    ck_assert_double_eq_tol(heat_on_plate(1, 0.5), still, 0.02 * still);
+}
+END_TEST
+
 /** A lid drags liquid, a box shakes it: what walls bring less what friction takes is what the liquid has. */
 START_TEST(moving_walls_bring_what_liquid_gains)
 {
@@ -402,6 +437,7 @@ Suite *suite_ledger(void)
     tcase_add_loop_test(cases, viscosity_takes_what_vortices_lose, 0, 2);
     tcase_add_loop_test(cases, a_wall_at_rest_takes_what_it_stops, 0, 2);
     tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 2);
+    tcase_add_test(cases, heat_of_friction_is_the_same_in_every_frame);
     tcase_add_loop_test(cases, forces_bring_what_falls_gain, 0, 3);
     tcase_add_test(cases, drains_take_elastic_energy_along);
     tcase_add_test(cases, springs_hold_what_they_stop);

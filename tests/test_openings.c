@@ -281,6 +281,45 @@ START_TEST(a_reservoir_has_what_is_prescribed)
 }
 END_TEST
 
+/* What is measured before a line is exact for linear fields over liquid at rest, of pressure rho0 g.x: p' and its slope, the
+ * velocities along the normal and along the line, in the middle of each lane and in the mean. */
+START_TEST(linear_fields_are_measured_as_they_are)
+{
+    const sph2d_vec2 g = {0.7, -5};
+    channel_lay(0.5, 0.25, true);
+    channel.scene.gravity = g;
+    channel_start();
+    const sph2d__system *s = &channel.sim->system;
+    sph2d__store *f = &channel.sim->system.fluid;
+    for (size_t index = 0; index < 2; ++index) {
+        sph2d__opening *o = &channel.sim->openings.items[index];
+        const double side = index == 0 ? 0 : 0.5, inward = index == 0 ? 1 : -1, middle = 0.125;
+        for (size_t i = 0; i < f->count; ++i) {
+            const double distance = inward * (f->x[i] - side) + o->duct, y = f->y[i] - middle;
+            const double rest = s->rest_density * (g.x * (f->x[i] - side) + g.y * y);
+            f->density[i] = sph2d__density_of(s, 30 + 200 * distance + 80 * y + rest);
+            f->vx[i] = inward * (1 + 2 * y);
+            f->vy[i] = 0.5 - y;
+        }
+        o->means->slope = 200;
+        sph2d__openings_measure(channel.sim);
+        for (size_t k = 0; k < o->lane_count; ++k) {
+            const sph2d_vec2 at = sph2d__place_of(o, (sph2d__spot){((double)k + 0.5) * o->lane_width, 0});
+            const double y = at.y - middle;
+            ck_assert(o->lanes[k].wet);
+            ck_assert_double_eq_tol(o->lanes[k].slope, 200, 1e-5);
+            ck_assert_double_eq_tol(o->lanes[k].pressure, 30 + 80 * y, 1e-5);
+            ck_assert_double_eq_tol(o->lanes[k].inward, 1 + 2 * y, 1e-12);
+            ck_assert_double_eq_tol(o->lanes[k].sideward * o->mouth.along.y, 0.5 - y, 1e-12);
+        }
+        ck_assert_double_eq_tol(o->now.slope, 200, 1e-5);
+        ck_assert_double_eq_tol(o->now.pressure, 30, 1e-5);
+        ck_assert_double_eq_tol(o->now.velocity, 1, 1e-12);
+    }
+    channel_finish();
+}
+END_TEST
+
 START_TEST(sound_leaves)
 {
     /* A pulse in the middle goes to both sides: of openings with a velocity, or with a pressure, _i of 2; without
@@ -358,6 +397,7 @@ Suite *suite_openings(void)
     tcase_add_test(test, a_turbulent_profile_is_the_power_law);
     tcase_add_loop_test(test, points_that_make_no_profile_are_refused, 0, 8);
     tcase_add_test(test, a_reservoir_has_what_is_prescribed);
+    tcase_add_test(test, linear_fields_are_measured_as_they_are);
     tcase_add_loop_test(test, sound_leaves, 0, 3);
     tcase_add_loop_test(test, threads_and_resumed_runs_give_the_same_bits, 0, 2);
     suite_add_tcase(suite, test);

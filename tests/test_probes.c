@@ -302,6 +302,30 @@ START_TEST(pairs_are_found)
 }
 END_TEST
 
+/** Neighbours across periodic sides are neighbours: two rows, each beside one side, are pairs of each other. */
+START_TEST(pairs_are_found_across_periodic_sides)
+{
+    enum { ROW = 8 };
+    const double gap = 0.3;
+    sph2d_scene scene = with_probes(test_scene(DX, 0, 0, ROW * DX, 30 * DX), (sph2d_vec2){0.01, 0.02});
+    scene.boundary.bottom = scene.boundary.top = SPH2D_SIDE_PERIODIC;
+    const sph2d_block rows[2] = {test_block(0, 0, ROW * DX, DX), test_block(0, 29 * DX, ROW * DX, 30 * DX)};
+    scene.blocks = rows;
+    scene.block_count = 2;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d__store *f = &sim->system.fluid;
+    ck_assert_uint_eq(f->count, 2 * ROW);
+    for (size_t i = 0; i < f->count; ++i)
+        f->y[i] = f->y[i] < 15 * DX ? gap / 2 * DX : (30 - gap / 2) * DX;
+    sort_particles(sim);
+    const double *v = evaluate(sim, SPH2D_PROBE_QUALITY);
+    ck_assert_double_eq_tol(v[0], gap, 1e-12);
+    ck_assert_double_eq_tol(v[1], gap, 1e-12);
+    ck_assert_double_eq(v[2], 1);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(the_first_percentile_is_that_of_sorted_distances)
 {
     sph2d_sim *sim = in_the_open(900);
@@ -399,6 +423,7 @@ Suite *suite_probes(void)
     tcase_add_test(tests, momentum_is_that_of_a_turning_body);
     tcase_add_test(tests, energy_is_that_of_two_particles);
     tcase_add_test(tests, a_lattice_is_of_the_best_quality);
+    tcase_add_test(tests, pairs_are_found_across_periodic_sides);
     tcase_add_loop_test(tests, pairs_are_found, 0, 6);
     tcase_add_test(tests, the_first_percentile_is_that_of_sorted_distances);
     tcase_add_test(tests, a_lone_particle_has_no_neighbour);
