@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "boundary/rigid.h"
 #include "methods/hybrid/grid.h"
 #include "tank.h"
 
@@ -481,6 +482,37 @@ static void float_box(double y, double density)
     tank_start();
 }
 
+/* A pressure that is known everywhere pushes a body by -grad p over its area A (Gauss): p = a x + b y by -A (a, b) without a
+ * torque, p = x y from its middle by the torque -integral (x^2 - y^2) = -(w^3 h - w h^3)/12 of a box. */
+START_TEST(a_known_pressure_pushes_and_turns_a_box)
+{
+    const double width = 0.3, height = 0.2, area = width * height, turn = area * (width * width - height * height) / 12;
+    float_box(0.25, 1000);
+    raft.hold = (sph2d_hold){SPH2D_SWITCH_ON, SPH2D_SWITCH_ON, SPH2D_SWITCH_ON};
+    tank_finish();
+    tank_start();
+    test_steps(tank.sim, 1);
+    sph2d__grid *g = tank.sim->system.grid;
+    for (size_t n = 0; n < g->part_count; ++n)
+        g->parts[n].wet_before = g->parts[n].wet_after = 1;
+    for (int field = 0; field < 2; ++field) {
+        for (int j = 0; j <= g->ny + 1; ++j)
+            for (int i = 0; i <= g->nx + 1; ++i) {
+                const double x = g->low_x + (i - 0.5) * (double)g->hx - 0.6,
+                             y = g->low_y + (j - 0.5) * (double)g->hy - 0.25;
+                g->q[sph2d__at(g, i, j)] = (float)(field == 0 ? 3 * x + 5 * y : x * y);
+            }
+        sph2d__twist push[1];
+        sph2d__grid_impulses(g, 1000, push);
+        ck_assert_double_eq_tol(push->x, field == 0 ? -1000 * 3 * area : 0, 0.02 * 1000 * area);
+        ck_assert_double_eq_tol(push->y, field == 0 ? -1000 * 5 * area : 0, 0.02 * 1000 * area);
+        ck_assert_double_eq_tol(push->turn, field == 0 ? 0 : -1000 * turn,
+                                field == 0 ? 1e-3 * 5000 * area * width : 50 * turn);
+    }
+    tank_finish();
+}
+END_TEST
+
 START_TEST(a_box_floats_by_its_weight)
 {
     /* Let go where it rests, wherever its underside then lies among the squares: its block left room for it. */
@@ -723,6 +755,7 @@ Suite *suite_hybrid(void)
     tcase_add_test(walls, a_step_is_refused_in_which_liquid_falls_further_than_it_looks);
     tcase_add_test(walls, a_source_fills_what_was_empty);
     tcase_add_loop_test(walls, a_jet_leaves_its_source_at_its_speed, 0, 3);
+    tcase_add_test(bodies, a_known_pressure_pushes_and_turns_a_box);
     tcase_add_test(bodies, a_ball_leaves_the_floor);
     tcase_add_test(walls, a_thin_wall_holds_a_tank);
     tcase_add_loop_test(solver, the_solver_converges, 0, 2);
