@@ -61,6 +61,44 @@ START_TEST(stress_on_walls_is_that_of_the_flow)
 }
 END_TEST
 
+/** Friction acts on the surface, half a spacing before the boundary particles: shear with slope a before a wall pulls it by F
+ *  along it, and turns it about a point at a distance c by c F. An even pressure does not turn it about any point, as arms
+ *  are the shortest across the period. */
+START_TEST(friction_turns_by_its_distance_from_the_surface)
+{
+    const bool upright = _i;
+    const double a = 3, mu = 7, distance = 0.1;
+    lay_square();
+    channel.scene.boundary =
+        upright ? (sph2d_boundary){SPH2D_SIDE_WALL, SPH2D_SIDE_WALL, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC}
+                : (sph2d_boundary){SPH2D_SIDE_PERIODIC, SPH2D_SIDE_PERIODIC, SPH2D_SIDE_WALL, SPH2D_SIDE_WALL};
+    channel.scene.fluid.dynamic_viscosity = mu;
+    channel.scene.method.sound_speed = 10;
+    channel.probes[0].kind = SPH2D_PROBE_FORCE;
+    channel.probes[0].on = upright ? "left" : "bottom";
+    channel.probes[0].at = upright ? (sph2d_vec2){distance, 0.2} : (sph2d_vec2){0.2, distance};
+    channel.scene.probe_count = 1;
+    channel_start();
+    const sph2d__system *s = &channel.sim->system;
+    sph2d__store *f = &channel.sim->system.fluid;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->vx[i] = upright ? 0 : a * f->y[i];
+        f->vy[i] = upright ? a * f->x[i] : 0;
+        f->density[i] = 1002;
+    }
+    sph2d__loads_find(channel.sim, 1);
+    const sph2d__pull friction = channel.sim->loads.states[0].friction, press = channel.sim->loads.states[0].pressure;
+    const double along = upright ? friction.y : friction.x, across = upright ? press.x : press.y;
+    const double pressure = sph2d__pressure_of(s, 1002);
+    ck_assert_double_eq_tol(along, mu * a * 0.5, 1e-9);
+    ck_assert_double_eq_tol(friction.torque, (upright ? -distance : distance) * along, 1e-9);
+    ck_assert_double_gt(pressure, 100);
+    ck_assert_double_eq_tol(across, -pressure * 0.5, 1e-7 * pressure);
+    ck_assert_double_eq_tol(press.torque, 0, 1e-7 * pressure);
+    channel_finish();
+}
+END_TEST
+
 enum { TERMS = 6 };
 
 /** Adds an equation with a weight to those of a least-squares fit, whose last column is the right side. */
@@ -150,6 +188,7 @@ Suite *suite_fitted_wall_forces(void)
 {
     Suite *suite = suite_create("fitted_wall_forces");
     TCase *tests = tcase_create("fitted_wall_forces");
+    tcase_add_loop_test(tests, friction_turns_by_its_distance_from_the_surface, 0, 2);
     tcase_add_loop_test(tests, stress_on_walls_is_that_of_the_flow, 0, 2);
     tcase_add_test(tests, pressure_on_walls_is_that_of_least_squares);
     suite_add_tcase(suite, tests);
