@@ -91,6 +91,28 @@ START_TEST(measures_of_an_arc)
 END_TEST
 
 /** Its centre is on its left. Beyond an end the tangent there divides the sides. */
+/** The bounds of arcs of any angles are those of their points, r (cos, sin). */
+START_TEST(bounds_are_those_of_the_points)
+{
+    enum { LOOKS = 2000 };
+    uint64_t random = 3;
+    for (int k = 0; k < 300; ++k) {
+        const double from = test_random(&random, -7, 7), turn = test_random(&random, 0.01, 2 * TEST_PI);
+        const sph2d_arc arc = {.center = {0.3, -0.4}, .radius = 2, .from = from, .to = from + turn};
+        sph2d_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}}, bounds = sph2d__arc_bounds(&arc);
+        for (int n = 0; n <= LOOKS; ++n) {
+            const double x = 0.3 + 2 * cos(from + turn * n / LOOKS), y = -0.4 + 2 * sin(from + turn * n / LOOKS);
+            box = (sph2d_box){{fmin(box.min.x, x), fmin(box.min.y, y)}, {fmax(box.max.x, x), fmax(box.max.y, y)}};
+        }
+        const double fine = 2 * pow(turn / LOOKS, 2) / 8 + 1e-12; /* r (1 - cos) of half the way between looks */
+        ck_assert_double_eq_tol(bounds.min.x, box.min.x, fine);
+        ck_assert_double_eq_tol(bounds.min.y, box.min.y, fine);
+        ck_assert_double_eq_tol(bounds.max.x, box.max.x, fine);
+        ck_assert_double_eq_tol(bounds.max.y, box.max.y, fine);
+    }
+}
+END_TEST
+
 START_TEST(sides_of_an_arc)
 {
     const sph2d_arc *arc = &arcs[_i];
@@ -348,6 +370,7 @@ Suite *suite_arcs(void)
     TCase *geometry = tcase_create("geometry"), *walls = tcase_create("walls");
     tcase_add_loop_test(geometry, pieces_of_an_arc, 0, ARCS);
     tcase_add_loop_test(geometry, measures_of_an_arc, 0, ARCS);
+    tcase_add_test(geometry, bounds_are_those_of_the_points);
     tcase_add_loop_test(geometry, sides_of_an_arc, 0, ARCS);
     tcase_add_test(walls, layers_of_a_bowl_are_outside);
     tcase_add_loop_test(walls, a_bowl_holds_water, 0, 2);

@@ -56,6 +56,23 @@ START_TEST(linear_fields_stay_as_they_are)
 }
 END_TEST
 
+/** Nor does a fit make a pressure of none. */
+START_TEST(without_a_pressure_none_is_reported)
+{
+    pool(SPH2D_METHOD_PCISPH, 0.2);
+    sph2d__store *f = &sim->system.fluid, *w = &sim->system.walls;
+    for (size_t i = 0; i < f->count; ++i) {
+        f->acting_pressure[i] = 0;
+        f->pressure[i] = 7;
+    }
+    for (size_t b = 0; b < w->count; ++b)
+        w->acting_pressure[b] = 0;
+    sph2d__projection_average(&sim->system);
+    for (size_t i = 0; i < f->count; ++i)
+        ck_assert_double_eq(f->pressure[i], 0);
+}
+END_TEST
+
 /* Particle i of the lattice in column a, row b has 1000 Pa, plus 100 Pa times (-1)^(a + b), (-1)^a or (-1)^b. */
 static double sign_of(const sph2d__store *f, size_t i, int kind)
 {
@@ -104,6 +121,7 @@ Suite *suite_reported_pressure(void)
     TCase *tests = tcase_create("reported_pressure");
     tcase_add_checked_fixture(tests, NULL, finish);
     tcase_add_test(tests, linear_fields_stay_as_they_are);
+    tcase_add_test(tests, without_a_pressure_none_is_reported);
     tcase_add_loop_test(tests, what_alternates_is_gone, 0, 3);
     tcase_add_test(tests, lone_particles_keep_their_own);
     suite_add_tcase(suite, tests);
