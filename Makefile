@@ -158,7 +158,7 @@ PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/words.sh tests/symbols.sh tests/units.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/words.sh tests/symbols.sh tests/units.sh tests/mutants.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -408,8 +408,12 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 
 # Random scenes have seeds of their own each time: the second it is.
 FRESH := $(shell date +%s)
+# A tenth of the mutants, 0 to 9, another one each day. They are the same in all variants of the build.
+TENTH ?= $(shell echo $$(($(FRESH) / 86400 % 10)))
+# Per cent of them that may live without a word in tests/mutants/survivors: many have never been looked at. Only less.
+MOST_LIVE := 35
 test-full: $(BUILD)/tests/bench $(BUILD)/tests/variants $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(if $(WITH_RENDER),$(BUILD)/tests/frames)
-test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, resumed runs (15 minutes)
+test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, resumed runs, a tenth of the mutants (35 minutes)
 	$(first_stage)
 	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all -j "$$(nproc)" --long)
 	$(call stage,tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes)
@@ -436,6 +440,7 @@ test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, re
 	    { grep -E 'MISSED|WORSE|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; })
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)"))
 	$(call stage,CK_INCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units-long "$$(nproc)")
+	$(if $(and $(GOLDEN),$(WITH_OPENMP),$(WITH_RENDER)),$(call stage,SHARE=$(TENTH)/10 SECONDS_EACH=5 LIVE=$(MOST_LIVE) tests/mutants.sh))
 	$(last_stage)
 
 both_tiers = $(call stage,$(MAKE) $(1) test)$(newline)	$(call stage,$(MAKE) $(1) test-full)
@@ -481,7 +486,7 @@ test-valgrind: $(BUILD)/sph2d $(BUILD)/tests/check_all ## memory read before it 
 test-ports: $(BUILD)/tests/core_scenes ## the core for aarch64, 32-bit x86, musl, and without optimisation (20 minutes); PORTS='aarch64 i686 musl O0'
 	$(hush)tests/ports/ports.sh $(BUILD)/tests/core_scenes $(BUILD)/ports '$(MAKE)' $(PORTS)
 
-test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (an hour)
+test-mutants: ## does a wrong formula fail a test? changes each constant and sign once (15 hours; SECONDS_EACH=5: 4)
 	$(hush)tests/mutants.sh
 
 OTHER_CC := $(if $(CLANG),gcc,clang)

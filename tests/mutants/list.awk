@@ -1,8 +1,8 @@
 # Lists the mutants of C files, one a line: file, line, column, length, old text, new text, separated by tabs.
 #
 # Every number becomes a tenth larger (0 becomes 1), every sum a difference and the reverse, every minus in front of a term
-# goes. Comments, strings, preprocessor lines, loop headers, enumerations, indices and tests of kinds are left alone:
-# they hold no formula.
+# goes. Comments, strings, preprocessor lines, loop headers, enumerations, indices, tests of kinds and sizes of memory are
+# left alone: they hold no formula.
 function emit(column, old, new)
 {
     printf "%s\t%d\t%d\t%d\t%s\t%s\n", FILENAME, FNR, column, length(old), old, new
@@ -30,7 +30,7 @@ FNR == 1 { comment = 0; skip = 0 }
             }
         } else { out = out line; line = "" }
     }
-    if (out ~ /^ *#|for \(|SPH2D__FOR_|enum|^_Static_assert|case |switch|#pragma|^ *};?$/) next
+    if (out ~ /^ *#|for \(|SPH2D__FOR_|enum|^_Static_assert|case |switch|#pragma|sizeof|alloc\(|resize\(|release\(|reserve\(|^ *};?$/) next
     rest = out; at = 1
     while (match(rest, /(^|[^A-Za-z0-9_.])[0-9]+(\.[0-9]*)?(e-?[0-9]+)?/)) {
         start = RSTART; size = RLENGTH
