@@ -42,6 +42,25 @@ static sph2d_summary run(sph2d_sim *sim, int steps)
     return sph2d_sim_summary(sim);
 }
 
+/** The scale of energy is that of half the head of all particles there were, also of those that have left. */
+START_TEST(what_has_left_counts_in_the_scale)
+{
+    plain_liquid(0.05);
+    scene.gravity.y = -10;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    sph2d__record *r = &sim->record;
+    uint64_t *const counts[] = {&r->let_out, &r->drained, &r->left_left, &r->left_right, &r->left_bottom, &r->left_top};
+    const double mass = 1000 * 0.05 * 0.05, head = sim->system.head, start = sph2d__sim_fall_energy(sim);
+    ck_assert_double_gt(head, 1);
+    ck_assert_double_eq_tol(start, 400 * mass * head / 2, 1e-9 * start);
+    for (int k = 0; k < 6; ++k) {
+        *counts[k] += 7;
+        ck_assert_double_eq_tol(sph2d__sim_fall_energy(sim), start + 7 * (k + 1) * mass * head / 2, 1e-9 * start);
+    }
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /* ---- what takes -------------------------------------------------------------------------------------------------- */
 
 /** Vortices that decay, by both operators. */
@@ -434,6 +453,7 @@ Suite *suite_ledger(void)
 {
     Suite *suite = suite_create("ledger");
     TCase *cases = tcase_create("ledger");
+    tcase_add_test(cases, what_has_left_counts_in_the_scale);
     tcase_add_loop_test(cases, viscosity_takes_what_vortices_lose, 0, 2);
     tcase_add_loop_test(cases, a_wall_at_rest_takes_what_it_stops, 0, 2);
     tcase_add_loop_test(cases, forces_of_walls_are_the_whole_change_of_momentum, 0, 2);
