@@ -178,6 +178,41 @@ START_TEST(openings_are_open)
 }
 END_TEST
 
+/** Solids beside openings are no obstacles: what follows them in the list of walls keeps its number. */
+START_TEST(bodies_are_numbered_behind_obstacles)
+{
+    set_tank();
+    sph2d_opening in = sph2d_opening_default();
+    in.side = SPH2D_SIDE_NAME_LEFT;
+    in.from = 0.3;
+    in.to = 0.6;
+    in.velocity = 0.1;
+    scene.openings = &in;
+    scene.opening_count = 1;
+    block = test_block(0, 0, 1, 0.7);
+    sph2d_obstacle post = sph2d_obstacle_default();
+    post.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{1.7, 0}, {1.9, 0.2}}};
+    sph2d_body raft = sph2d_body_default();
+    raft.shape = (sph2d_shape){.kind = SPH2D_SHAPE_BOX, .box = {{1.2, 0.7}, {1.5, 0.9}}};
+    raft.density = 500;
+    scene.obstacles = &post;
+    scene.obstacle_count = 1;
+    scene.bodies = &raft;
+    scene.body_count = 1;
+    sph2d_sim *sim = test_create(&scene, NULL);
+    test_steps(sim, 20);
+    const outlines o = outlines_of(sim);
+    const uint64_t *walls = sph2d_field(sim, SPH2D_GROUP_OUTLINE, 3).data[0];
+    for (size_t k = 0; k < o.count; ++k) {
+        const bool is_post = o.x[k] > 1.6 && o.x[k] < 1.95 && o.y[k]<0.25, is_raft = o.x[k]> 1.15 && o.x[k] < 1.55;
+        ck_assert_uint_eq(walls[k], is_post ? 0 : is_raft ? 1 : UINT64_MAX);
+        if (is_raft) /* it falls */
+            ck_assert_double_lt(o.y[k], o.y[k] > 0.8 ? 0.9 : 0.7);
+    }
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 Suite *suite_outlines(void)
 {
     Suite *suite = suite_create("outlines");
@@ -186,6 +221,7 @@ Suite *suite_outlines(void)
     tcase_add_loop_test(cases, lines_know_where_liquid_is, 0, 2);
     tcase_add_test(cases, outlines_move_along);
     tcase_add_test(cases, openings_are_open);
+    tcase_add_test(cases, bodies_are_numbered_behind_obstacles);
     suite_add_tcase(suite, cases);
     return suite;
 }

@@ -277,7 +277,7 @@ START_TEST(bodies_are_moved_by_the_transpose_of_the_rate)
         f->vx[i] = f->vy[i] = f->ax[i] = f->ay[i] = 0;
     }
     for (size_t b = 0; b < w->count; ++b)
-        w->multiplier[b] = w->filling[b] > 0 ? test_random(&random, 0, 1) * (w->x[b] + 2 * w->y[b]) : 0;
+        w->multiplier[b] = w->filled[b] > 0 ? test_random(&random, 0, 1) * (w->x[b] + 2 * w->y[b]) : 0;
     for (int motion = 0; motion < 3; ++motion) {
         move_rigidly(w, r, (sph2d__twist){motion == 0, motion == 1, motion == 2});
         predict(s, small, fluid[0], walls[0]);

@@ -349,6 +349,16 @@ START_TEST(a_sound_speed_too_low_for_the_depth_is_warned_of)
         if (report.count > 0)
             ck_assert_str_eq(report.items[0].path, "method.sound_speed");
     }
+    /* the same of single particles that a file gave, from which nothing else is derived */
+    sph2d_particle two[] = {{.x = 0.2, .y = 0.05}, {.x = 0.2, .y = 1}};
+    deep.block_count = 0;
+    deep.particles = (sph2d_particles){.file = "column.csv", .items = two, .count = 2};
+    for (size_t k = 0; k < 2; ++k) {
+        deep.method.sound_speed = cases[k].sound_speed;
+        sph2d_report_clear(&report);
+        ck_assert_msg(sph2d_scene_check(&deep, &report) == SPH2D_OK, "%s", test_report_text(&report));
+        ck_assert_msg(report.count == cases[k].warnings, "%s", test_report_text(&report));
+    }
 }
 END_TEST
 

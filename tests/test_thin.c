@@ -187,6 +187,9 @@ START_TEST(a_line_that_becomes_a_solid_is_thick_enough)
     obstacles[0].shape.points = (sph2d_points){points, 2};
     obstacles[0].liquid = SPH2D_LIQUID_BOTH;
     ck_assert(!is_warned("obstacles[0].line"));
+    points[0] = (sph2d_vec2){0.975, 0.3}; /* across its ends it is thinner */
+    points[1] = (sph2d_vec2){1.025, 0.3};
+    ck_assert(!is_warned("obstacles[0].line"));
 }
 END_TEST
 

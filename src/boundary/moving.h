@@ -23,8 +23,8 @@ enum { SPH2D__MOST_CHORDS = 64 };
 typedef struct sph2d__moving {
     sph2d__course course;      /**< of an obstacle with a motion */
     const sph2d__rigid *rigid; /**< a body, which the liquid moves; NULL: none */
-    const sph2d__wall *drawn;  /**< as the scene draws it */
-    int wall;                  /**< its number (scene/world.h) */
+    const sph2d__wall *wall;   /**< in its initial position */
+    int number;                /**< of the wall (scene/world.h) */
     uint64_t first_id, end_id; /**< its boundary particles: first_id to end_id - 1 */
     sph2d_vec2 *normals;       /**< of these, in the initial position; NULL if they have none, or it never turns */
     double *spins;             /**< of these, their angular velocity [rad/s]; NULL if it never turns */

@@ -28,8 +28,7 @@ static layer layer_of(const sph2d__world *world, const sph2d_absorber *a)
 {
     const sph2d_scene *scene = &world->scene;
     bool low = a->side == SPH2D_SIDE_NAME_LEFT || a->side == SPH2D_SIDE_NAME_BOTTOM;
-    layer l = {.across = a->side == SPH2D_SIDE_NAME_LEFT || a->side == SPH2D_SIDE_NAME_RIGHT,
-               .both = !sph2d__side_has_opening(scene, (int)a->side)};
+    layer l = {.across = sph2d__side_is_vertical((int)a->side), .both = !sph2d__side_has_opening(scene, (int)a->side)};
     sph2d_vec2 end = low ? scene->domain.min : scene->domain.max;
     l.to = l.across ? end.x : end.y;
     l.from = low ? l.to + a->length : l.to - a->length;

@@ -29,14 +29,14 @@ sph2d_body_state sph2d_sim_obstacle(const sph2d_sim *sim, size_t index)
 {
     if (!sim || index >= sim->world.scene.obstacle_count)
         return unknown();
-    const sph2d__wall *obstacle = &sim->world.walls[SPH2D__WALL_OBSTACLE + index];
+    const sph2d__wall *wall = &sim->world.walls[SPH2D__WALL_OBSTACLE + index];
     for (size_t k = 0; k < sim->moving_count; ++k)
-        if (sim->moving[k].drawn == obstacle) {
+        if (sim->moving[k].wall == wall) {
             sph2d__pose p = sph2d__moving_at(&sim->moving[k], sim->record.time);
             sph2d_vec2 center = {p.center.x + p.displacement.x, p.center.y + p.displacement.y};
             return (sph2d_body_state){.center = center, .angle = p.angle, .velocity = p.velocity, .rate = p.omega};
         }
-    return (sph2d_body_state){.center = sph2d_shape_centroid(&obstacle->shape)};
+    return (sph2d_body_state){.center = sph2d_shape_centroid(&wall->shape)};
 }
 
 sph2d_status sph2d_sim_set_body_velocity(sph2d_sim *sim, size_t index, sph2d_vec2 velocity, double rate)

@@ -11,9 +11,9 @@
 static bool in_solid(const sph2d_sim *sim, sph2d_vec2 at)
 {
     for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k) {
-        const sph2d__wall *o = &sim->world.walls[k];
-        sph2d__pose pose = sph2d__sim_pose_of(sim, o);
-        if (sph2d__wall_fills(&sim->world.scene, o, sph2d__pose_invert(&pose, at)))
+        const sph2d__wall *wall = &sim->world.walls[k];
+        sph2d__pose pose = sph2d__sim_pose_of(sim, wall);
+        if (sph2d__wall_fills(&sim->world.scene, wall, sph2d__pose_invert(&pose, at)))
             return true;
     }
     return false;

@@ -13,11 +13,11 @@ static size_t moving_near(const sph2d_sim *sim, sph2d_vec2 p)
     double least = sim->system.support;
     size_t nearest = SIZE_MAX;
     for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k) {
-        const sph2d__wall *o = &sim->world.walls[k];
-        if (!sph2d__wall_moves(o))
+        const sph2d__wall *wall = &sim->world.walls[k];
+        if (!sph2d__wall_moves(wall))
             continue;
-        sph2d__pose pose = sph2d__sim_pose_of(sim, o);
-        double distance = sph2d__shape_nearest(&o->shape, sim->world.scene.spacing, sph2d__pose_invert(&pose, p));
+        sph2d__pose pose = sph2d__sim_pose_of(sim, wall);
+        double distance = sph2d__shape_nearest(&wall->shape, sim->world.scene.spacing, sph2d__pose_invert(&pose, p));
         if (distance < least) {
             least = distance;
             nearest = k;

@@ -9,7 +9,6 @@
 #include "methods/common/state_equation.h"
 #include "methods/terms/tension.h"
 #include "run/run.h"
-#include "scene/derive.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
 #include "sim/stages.h"

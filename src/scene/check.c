@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check.c
- *  Checks a scene: first the range of every number, then consistency. */
-#include <ctype.h>
+ *  Checks a scene and resolves it: the range of every number, then items, then what depends on all of them. */
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "base/null.h"
 #include "scene/checker.h"
@@ -13,7 +10,6 @@
 #include "scene/liquid.h"
 #include "scene/openings.h"
 #include "scene/shape.h"
-#include "sph2d/key.h"
 
 /* Smallest spacing over the largest coordinate: leaves three digits for the distance between neighbours. */
 static const double MIN_SPACING = 1e-13;
@@ -168,21 +164,19 @@ static void check_absorber(checker *c, size_t i)
 {
     const sph2d_scene *scene = c->scene;
     const sph2d_absorber *a = &scene->absorbers[i];
-    const sph2d_side sides[] = {scene->boundary.left, scene->boundary.right, scene->boundary.bottom,
-                                scene->boundary.top};
-    bool across = a->side == SPH2D_SIDE_NAME_LEFT || a->side == SPH2D_SIDE_NAME_RIGHT;
+    bool across = sph2d__side_is_vertical((int)a->side);
     sph2d_box d = scene->domain;
     double size = across ? d.max.x - d.min.x : d.max.y - d.min.y;
     char path[PATH_SIZE];
-    if ((size_t)a->side >= sizeof sides / sizeof *sides) /* no word of it: told by the checks of ranges */
+    if ((size_t)a->side >= SPH2D__WALL_OBSTACLE) /* no word of it: told by the checks of ranges */
         return;
-    if (sides[a->side] == SPH2D_SIDE_PERIODIC)
+    if (sph2d__side_of(scene, (int)a->side) == SPH2D_SIDE_PERIODIC)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "absorbers", i, ".side"),
                            "is periodic: waves go on beyond it");
     if (a->length > size)
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "absorbers", i, ".length"),
                            "reaches beyond the domain");
-    if (!(a->rate > 0) && scene->gravity.x == 0 && scene->gravity.y == 0)
+    if (!(a->rate > 0) && !(c->world->gravity.size > 0))
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "absorbers", i, ".rate"),
                            "must be given, as there is no gravity from which it could follow");
     for (size_t k = 0; k < i; ++k)
@@ -250,7 +244,7 @@ static void check_nozzle(checker *c, size_t i)
         sph2d_diagnostic *d = o->body
                                   ? sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OVERLAP, path, "%s", message)
                                   : sph2d__check_fault(c, SPH2D_CODE_OVERLAP, path, message);
-        sph2d_diagnostic_hint(d, "move it half a spacing outside");
+        sph2d__check_hint_wall(c, d, k, "move it half a spacing outside");
         return;
     }
     for (size_t k = 0; k < scene->block_count; ++k)
@@ -282,7 +276,7 @@ static void check_items(checker *c)
     sph2d__check_obstacles(c);
 }
 
-/** Checks what lies or moves where other things are; without errors before, the world is settled. */
+/** Checks what lies or moves where other things are; without errors before, the world is resolved. */
 static void check_consistency(checker *c)
 {
     const sph2d_scene *scene = c->scene;
@@ -314,7 +308,7 @@ static void check_consistency(checker *c)
     }
 }
 
-/** Checks what all else depends on: a list that can be read, numbers in range, a domain that holds a particle. */
+/** Checks what all else depends on: lists that can be read, numbers in range, a domain that holds a particle. */
 static bool check_base(checker *c)
 {
     if (c->scene->struct_size != sizeof *c->scene) {
@@ -331,9 +325,9 @@ static bool check_base(checker *c)
 }
 
 /** Once outlines are valid: the wet sides of lines, and what follows from the whole. */
-static sph2d_status settle(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+static sph2d_status resolve(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
 {
-    sph2d_status status = sph2d__settle_sides(world, arena, memory);
+    sph2d_status status = sph2d__resolve_sides(world, arena, memory);
     return status == SPH2D_OK ? sph2d__derive(world, arena, memory) : status;
 }
 
@@ -349,7 +343,7 @@ sph2d_status sph2d__world_make(sph2d__world *world, const sph2d_scene *scene, bo
     c.scene = &world->scene;
     check_items(&c);
     if (c.errors == 0)
-        status = settle(world, arena, memory);
+        status = resolve(world, arena, memory);
     if (status != SPH2D_OK)
         return status;
     check_consistency(&c);

@@ -192,7 +192,7 @@ static void check_place(checker *c, size_t k)
         if (!overlaps(c, own, i))
             continue;
         snprintf(text, sizeof text, "starts in %s", sph2d__wall_path(other, sizeof other, &c->world->walls[i], ""));
-        sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_OVERLAP, "", text), "move one of the two");
+        sph2d__check_hint_wall(c, fault(c, k, SPH2D_CODE_OVERLAP, "", text), i, "move one of the two");
         return;
     }
 }

@@ -4,7 +4,6 @@
 #include <stdio.h>
 
 #include "scene/checker.h"
-#include "scene/resolve.h"
 #include "sph2d/method.h"
 
 typedef sph2d__checker checker;

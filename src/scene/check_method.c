@@ -130,19 +130,15 @@ static sph2d_wall_slip own_slip(const sph2d_scene *scene, const sph2d__wall *wal
 static void check_slips(sph2d__checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    const sph2d_side_speeds *v = &scene->wall_speeds;
-    const double speeds[SPH2D__WALL_OBSTACLE] = {v->left, v->right, v->bottom, v->top};
-    const sph2d_side_slips *s = &scene->side_slip;
-    const sph2d_wall_slip own[SPH2D__WALL_OBSTACLE] = {s->left, s->right, s->bottom, s->top};
     bool slides = false;
     char path[SPH2D__PATH_SIZE];
     check_slip(c, "wall_slip", scene->wall_slip);
     for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side) {
         snprintf(path, sizeof path, "side_slip.%s", sph2d__side_word(side));
         sph2d_slip slip = c->world->walls[side].slip;
-        if (own[side] != SPH2D_WALL_SLIP_DEFAULT)
+        if (sph2d__side_own_slip(scene, side) != SPH2D_WALL_SLIP_DEFAULT)
             check_own_slip(c, path, slip, sph2d__side_of(scene, side) == SPH2D_SIDE_WALL);
-        slides = slides || (speeds[side] != 0 && slip == SPH2D_SLIP_FREE);
+        slides = slides || (sph2d__side_speed(scene, side) != 0 && slip == SPH2D_SLIP_FREE);
     }
     for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count; ++i)
         if (own_slip(scene, &c->world->walls[i]) != SPH2D_WALL_SLIP_DEFAULT)
@@ -337,6 +333,22 @@ static bool drives_only(const sph2d_scene *scene)
            (scene->gravity.y == 0 || sph2d__period_y(scene) > 0);
 }
 
+/** Pressure over density of single particles that a file has given: nothing else is derived from them. */
+static double head_of_file(const sph2d__world *world)
+{
+    const sph2d_particles *p = &world->scene.particles;
+    const sph2d_vec2 up = world->gravity.up;
+    const sph2d_box *d = &world->scene.domain;
+    const double low = up.x * (up.x > 0 ? d->min.x : d->max.x) + up.y * (up.y > 0 ? d->min.y : d->max.y);
+    double head = 0;
+    for (size_t i = 0; p->file && p->items && i < p->count; ++i) {
+        const sph2d_particle *at = &p->items[i];
+        head = fmax(head, world->gravity.size * (at->x * up.x + at->y * up.y - low) +
+                              (at->vx * at->vx + at->vy * at->vy) / 2);
+    }
+    return head;
+}
+
 /** Warns of a sound speed that is too low for the depth and speed of the liquid. */
 static void check_sound_speed(sph2d__checker *c)
 {
@@ -346,6 +358,7 @@ static void check_sound_speed(sph2d__checker *c)
     const sph2d__derived derived = c->world->derived;
     double head =
         derived.head + derived.capillary_head - (drives_only(c->scene) ? derived.gravity * derived.height : 0);
+    head = fmax(head, head_of_file(c->world));
     double compression = head / (derived.sound_speed * derived.sound_speed);
     if (!(compression > MAX_HEAD_COMPRESSION))
         return;
@@ -441,26 +454,23 @@ static bool has_voids(const sph2d__world *world)
 static void check_filled_domain(sph2d__checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    const sph2d_side sides[4] = {scene->boundary.left, scene->boundary.right, scene->boundary.bottom,
-                                 scene->boundary.top};
-    static const char *const paths[4] = {"boundary.left", "boundary.right", "boundary.bottom", "boundary.top"};
+    char path[SPH2D__PATH_SIZE];
     bool walled = false; /* by walls without a slip of their own */
     for (size_t i = SPH2D__WALL_OBSTACLE; i < c->world->wall_count; ++i)
         walled |= own_slip(scene, &c->world->walls[i]) == SPH2D_WALL_SLIP_DEFAULT;
-    const sph2d_side_slips *s = &scene->side_slip;
-    const sph2d_wall_slip own[4] = {s->left, s->right, s->bottom, s->top};
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < SPH2D__WALL_OBSTACLE; ++k) {
         require_feature(
-            c, paths[k], sides[k] == SPH2D_SIDE_OPEN, SPH2D_FEATURE_FREE_SURFACE,
+            c, sph2d__check_wall_path(c, path, (size_t)k, ""), sph2d__side_of(scene, k) == SPH2D_SIDE_OPEN,
+            SPH2D_FEATURE_FREE_SURFACE,
             "liquid must fill the domain: make the side a wall or periodic, or use `operators: variational`");
-        walled |= sides[k] == SPH2D_SIDE_WALL && own[k] == SPH2D_WALL_SLIP_DEFAULT;
+        walled |=
+            sph2d__side_of(scene, k) == SPH2D_SIDE_WALL && sph2d__side_own_slip(scene, k) == SPH2D_WALL_SLIP_DEFAULT;
     }
     require_feature(c, "wall_slip", walled && scene->wall_slip == SPH2D_SLIP_FREE, SPH2D_FEATURE_FREE_SURFACE,
                     "use `wall_slip: none`, or `operators: variational`");
     require_feature(c, "sources", scene->source_count > 0, SPH2D_FEATURE_FREE_SURFACE, "use `operators: variational`");
     require_feature(c, "openings", scene->opening_count > 0, SPH2D_FEATURE_OPENINGS, NULL);
     for (size_t i = 0; i < scene->opening_count; ++i) {
-        char path[SPH2D__PATH_SIZE];
         require_feature(c, sph2d__check_path(path, "openings", i, ""), sph2d__opening_has_surface(&scene->openings[i]),
                         SPH2D_FEATURE_FREE_SURFACE,
                         "use a velocity, a flow rate or a pressure, or `operators: variational`");

@@ -7,7 +7,6 @@
 
 #include "base/memory.h"
 #include "scene/checker.h"
-#include "scene/derive.h"
 #include "scene/frame.h"
 #include "scene/liquid.h"
 #include "scene/method_table.h"

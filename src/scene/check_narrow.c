@@ -12,7 +12,6 @@
 #include "base/memory.h"
 #include "scene/checker.h"
 #include "scene/liquid.h"
-#include "scene/method_table.h"
 #include "scene/shape.h"
 #include "scene/solids.h"
 

@@ -173,7 +173,7 @@ static void check_side(checker *c, size_t i)
         check_layers_inside(c, &wall->shape.arc, i);
     if (side != SPH2D_LIQUID_BOTH)
         return;
-    sph2d__check_wall_path(c, path, i, wall->key);
+    sph2d__check_wall_path(c, path, i, wall->shape_key);
     if (wall->liquid == SPH2D_LIQUID_AUTO) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
                                "liquid lies on both sides of it, where the layers of boundary particles must be");

@@ -8,7 +8,6 @@
 #include "scene/liquid.h"
 #include "scene/motion.h"
 #include "scene/openings.h"
-#include "scene/resolve.h"
 
 typedef sph2d__checker checker;
 
@@ -104,7 +103,7 @@ static bool check_ends(checker *c, size_t i)
 {
     const sph2d_opening *o = &c->scene->openings[i];
     const sph2d_box *d = &c->scene->domain;
-    bool vertical = o->side == SPH2D_SIDE_NAME_LEFT || o->side == SPH2D_SIDE_NAME_RIGHT;
+    bool vertical = sph2d__side_is_vertical((int)o->side);
     double low = vertical ? d->min.y : d->min.x, high = vertical ? d->max.y : d->max.x, dx = c->scene->spacing;
     const struct {
         const char *key;
@@ -241,7 +240,7 @@ static void check_before(checker *c, size_t i)
                      sph2d__wall_path(other, sizeof other, &c->world->walls[k], ""), p.x, p.y);
             sph2d_diagnostic *d =
                 sph2d__check_fault(c, SPH2D_CODE_OVERLAP, sph2d__check_path(path, "openings", i, ""), message);
-            sph2d_diagnostic_hint(d, "let `from` and `to` leave out what is solid, or move the obstacle away");
+            sph2d__check_hint_wall(c, d, k, "let `from` and `to` leave out what is solid, or move the obstacle away");
             return;
         }
 }
@@ -289,15 +288,13 @@ static void check_opening(checker *c, size_t i)
     const sph2d_opening *o = &scene->openings[i];
     int side = (int)o->side;
     char path[SPH2D__PATH_SIZE];
-    const double speeds[] = {scene->wall_speeds.left, scene->wall_speeds.right, scene->wall_speeds.bottom,
-                             scene->wall_speeds.top};
     sph2d_diagnostic *d;
     if (sph2d__side_of(scene, side) != SPH2D_SIDE_WALL) {
         d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".side"),
                                "is not a wall: an opening is a part of one");
         sph2d_diagnostic_hint(d, "use `boundary: {%s: wall}`", sph2d__side_word(side));
     }
-    if (speeds[side] != 0)
+    if (sph2d__side_speed(scene, side) != 0)
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "openings", i, ".side"),
                            "moves along itself (wall_speeds): there is no opening in a belt");
     if (o->name && !sph2d__check_name(o->name))

@@ -8,9 +8,7 @@
 
 #include "base/suggest.h"
 #include "scene/checker.h"
-#include "scene/motion.h"
 #include "scene/openings.h"
-#include "scene/resolve.h"
 
 enum { PATH_SIZE = SPH2D__PATH_SIZE };
 typedef sph2d__checker checker;
@@ -110,13 +108,11 @@ static void check_opening(checker *c, const sph2d_probe *probe, size_t i)
 /** Refuses the force on a side that has openings: that is where the reservoir ends. */
 static void check_side(checker *c, int side, const char *path)
 {
-    for (size_t k = 0; k < c->scene->opening_count; ++k)
-        if ((int)c->scene->openings[k].side == side) {
-            sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path,
-                                                     "is a side with an opening, whose force is not known");
-            sph2d_diagnostic_hint(d, "draw a wall inside as an obstacle with a `name`");
-            return;
-        }
+    if (!sph2d__side_has_opening(c->scene, side))
+        return;
+    sph2d_diagnostic *d =
+        sph2d__check_fault(c, SPH2D_CODE_UNSUPPORTED, path, "is a side with an opening, whose force is not known");
+    sph2d_diagnostic_hint(d, "draw a wall inside as an obstacle with a `name`");
 }
 
 /** Checks what a probe of kind force or work is on. */

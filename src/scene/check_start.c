@@ -3,6 +3,7 @@
  *  Checks what liquid starts with: one of a known flow, a table, a snapshot, and that their values are numbers; and single
  *  particles. */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 
 #include "scene/checker.h"
@@ -49,6 +50,8 @@ static void check_table(const subject *s)
         return;
     if (g->nx < 2 || g->ny < 2)
         fault(s, SPH2D_CODE_OUT_OF_RANGE, ".table", "needs two x and two y at least");
+    else if (g->nx > SIZE_MAX / g->ny)
+        fault(s, SPH2D_CODE_OUT_OF_RANGE, ".table", "has more places than memory could hold");
     else if (!g->x || !g->y || (!g->vx && !g->vy && !g->pressure))
         fault(s, SPH2D_CODE_CONFLICT, ".table", "has a NULL list, or no values");
     else if (!are_lines(g->x, g->nx) || !are_lines(g->y, g->ny))

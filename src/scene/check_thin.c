@@ -112,12 +112,13 @@ static bool find_thin(const sph2d__world *world, const sph2d_shape *outline, sph
     return false;
 }
 
-/** Finds the first such position of a wall. Lines with layers have liquid on one side, or become solids. */
+/** Finds the first such position of a wall. Lines with layers have liquid on one side, or have become solids. */
 static bool find_in_wall(const sph2d__world *world, const sph2d__wall *wall, thin *found)
 {
     const sph2d_scene *scene = &world->scene;
     const sph2d_shape *outline = &wall->shape;
-    if (wall->body || sph2d__wall_has_side(wall) || sph2d__wall_is_hollow(wall))
+    const bool made = wall->liquid == SPH2D_LIQUID_BOTH && wall->form == SPH2D_WALL_GENERALISED; /* of a line */
+    if (wall->body || made || sph2d__wall_has_side(wall) || sph2d__wall_is_hollow(wall))
         return false;
     double required = required_thickness(scene, wall);
     size_t pieces = sph2d__shape_pieces(outline, scene->spacing);
@@ -144,7 +145,7 @@ void sph2d__check_thin(sph2d__checker *c)
     if (count > 1)
         snprintf(more, sizeof more, "; the same holds for %zu more", count - 1);
     sph2d_diagnostic *w = sph2d_report_add(
-        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, first, wall->key),
+        c->report, SPH2D_WARNING, SPH2D_CODE_CONFLICT, sph2d__check_wall_path(c, path, first, wall->shape_key),
         "liquids whose surfaces are %.2g m apart in height press on each other through it, near (%.3g, %.3g), where it "
         "is %.2g m thick%s",
         place.apart, place.at.x, place.at.y, place.thickness, more);

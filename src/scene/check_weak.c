@@ -31,7 +31,7 @@ static void check_films(sph2d__checker *c)
         }
     }
     if (!(rows > 0) || !(rows < FEWEST_ROWS) || scene->source_count > 0 || scene->particles.file ||
-        scene->particles.count > 0 || (scene->gravity.x == 0 && scene->gravity.y == 0))
+        scene->particles.count > 0 || !(c->world->gravity.size > 0))
         return;
     char path[SPH2D__PATH_SIZE];
     sph2d_diagnostic *d = sph2d_report_add(c->report, SPH2D_WARNING, SPH2D_CODE_OUT_OF_RANGE,
@@ -65,26 +65,15 @@ static void check_disorder(sph2d__checker *c)
  * (heavy); generalised walls push gently (D7). */
 static const double LEAST_DISTANCE = 0.5;
 
-/** Distance to the nearest side that is a wall [m]. */
-static double distance_to_walls(const sph2d_scene *scene, const sph2d_particle *p)
-{
-    const sph2d_boundary b = scene->boundary;
-    const sph2d_box d = scene->domain;
-    double left = b.left == SPH2D_SIDE_WALL ? p->x - d.min.x : INFINITY;
-    double right = b.right == SPH2D_SIDE_WALL ? d.max.x - p->x : INFINITY;
-    double bottom = b.bottom == SPH2D_SIDE_WALL ? p->y - d.min.y : INFINITY;
-    double top = b.top == SPH2D_SIDE_WALL ? d.max.y - p->y : INFINITY;
-    return fmin(fmin(left, right), fmin(bottom, top));
-}
-
 static void check_distance(sph2d__checker *c)
 {
     const sph2d_scene *scene = c->scene;
-    sph2d_wall_form form = sph2d__side_form(scene);
+    const sph2d_wall_form form = scene->walls;
     if (form != SPH2D_WALL_SPRING && form != SPH2D_WALL_HEAVY)
         return;
     for (size_t i = 0; scene->particles.items && i < scene->particles.count; ++i) {
-        double distance = distance_to_walls(scene, &scene->particles.items[i]) / scene->spacing;
+        const sph2d_vec2 at = {scene->particles.items[i].x, scene->particles.items[i].y};
+        double distance = sph2d__walled_distance(scene, &scene->domain, at) / scene->spacing;
         if (!(distance < LEAST_DISTANCE * (1 - 1e-9)))
             continue;
         char path[SPH2D__PATH_SIZE];
@@ -120,9 +109,7 @@ static double viscosity_at(const sph2d_fluid *f, double rate)
 static bool slides(const sph2d_scene *scene)
 {
     const sph2d_side_slips *s = &scene->side_slip;
-    const sph2d_boundary *b = &scene->boundary;
-    bool walls = b->left == SPH2D_SIDE_WALL || b->right == SPH2D_SIDE_WALL || b->bottom == SPH2D_SIDE_WALL ||
-                 b->top == SPH2D_SIDE_WALL || scene->obstacle_count + scene->body_count > 0;
+    bool walls = sph2d__has_side(scene, SPH2D_SIDE_WALL) || scene->obstacle_count + scene->body_count > 0;
     bool own = s->left != SPH2D_WALL_SLIP_DEFAULT || s->right != SPH2D_WALL_SLIP_DEFAULT ||
                s->bottom != SPH2D_WALL_SLIP_DEFAULT || s->top != SPH2D_WALL_SLIP_DEFAULT;
     for (size_t i = 0; i < scene->obstacle_count; ++i)

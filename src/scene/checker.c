@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "scene/liquid.h"
 #include "scene/shape.h"
 
 sph2d_diagnostic *sph2d__check_fault(sph2d__checker *c, sph2d_code code, const char *path, const char *message)
@@ -25,6 +26,16 @@ const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, siz
 const char *sph2d__check_wall_path(const sph2d__checker *c, char path[SPH2D__PATH_SIZE], size_t index, const char *rest)
 {
     return sph2d__wall_path(path, SPH2D__PATH_SIZE, &c->world->walls[index], rest);
+}
+
+void sph2d__check_hint_wall(const sph2d__checker *c, sph2d_diagnostic *d, size_t index, const char *otherwise)
+{
+    const sph2d__wall *wall = &c->world->walls[index];
+    if (wall->kind == SPH2D__WALL_IS_OBSTACLE && wall->liquid == SPH2D_LIQUID_BOTH)
+        sph2d_diagnostic_hint(d, "%s; `liquid: both` makes a line a solid %.3g m thick", otherwise,
+                              sph2d__layer_thickness(c->scene));
+    else
+        sph2d_diagnostic_hint(d, "%s", otherwise);
 }
 
 bool sph2d__check_box(sph2d__checker *c, sph2d_box box, const char *path)

@@ -8,9 +8,9 @@
 #include "scene/world.h"
 
 typedef struct sph2d__checker {
-    const sph2d_scene *given; /**< as it was given ... */
+    const sph2d_scene *given; /**< as the caller gave it: for what is about keys that are left out */
+    const sph2d_scene *scene; /**< that of the world; the given one until there is a world */
     const sph2d__world *world;
-    const sph2d_scene *scene; /**< ... and that of the world */
     sph2d_report *report;
     size_t errors; /**< counted here too, since the report may be NULL */
     bool broken;   /**< a list that cannot be read */
@@ -29,6 +29,9 @@ const char *sph2d__check_path(char path[SPH2D__PATH_SIZE], const char *list, siz
 /** "obstacles[2].line", or "bodies[0].circle", of wall `index` of the checker's world. */
 const char *sph2d__check_wall_path(const sph2d__checker *c, char path[SPH2D__PATH_SIZE], size_t index,
                                    const char *rest);
+
+/** Hints at what to do about a wall that is in the way: `otherwise`, and that a line is thick by now. */
+void sph2d__check_hint_wall(const sph2d__checker *c, sph2d_diagnostic *d, size_t index, const char *otherwise);
 
 /** Whether a position is in the domain, up to round-off. */
 bool sph2d__check_in_domain(const sph2d_scene *scene, sph2d_vec2 p);

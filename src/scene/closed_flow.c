@@ -139,22 +139,18 @@ static bool has_surface(const sph2d_scene *scene)
     return false;
 }
 
-static bool is_along_x(sph2d_side_name side)
-{
-    return side == SPH2D_SIDE_NAME_LEFT || side == SPH2D_SIDE_NAME_RIGHT;
-}
-
 /** The channel from the openings of a side into the domain, up to the first opening of the other kind on a side along it:
  *  there the flow may turn. */
 static channel channel_from(const sph2d__world *world, sph2d_side_name side, bool with_velocity)
 {
     const sph2d_scene *scene = &world->scene;
     const sph2d_box *d = &scene->domain;
-    channel c = is_along_x(side) ? (channel){world, scene, true, d->min.y, d->max.y - d->min.y, d->min.x, d->max.x}
-                                 : (channel){world, scene, false, d->min.x, d->max.x - d->min.x, d->min.y, d->max.y};
+    channel c = sph2d__side_is_vertical((int)side)
+                    ? (channel){world, scene, true, d->min.y, d->max.y - d->min.y, d->min.x, d->max.x}
+                    : (channel){world, scene, false, d->min.x, d->max.x - d->min.x, d->min.y, d->max.y};
     for (size_t i = 0; i < scene->opening_count; ++i) {
         const sph2d_opening *o = &scene->openings[i];
-        if (is_along_x(o->side) == c.along_x || sph2d__opening_has_velocity(o) == with_velocity)
+        if (sph2d__side_is_vertical((int)o->side) == c.along_x || sph2d__opening_has_velocity(o) == with_velocity)
             continue;
         sph2d__mouth m = sph2d__opening_mouth(scene, o);
         double from = c.along_x ? m.start.x : m.start.y;
@@ -201,7 +197,7 @@ double sph2d__throat_speed(const sph2d__world *world)
     channel c = channel_from(world, in.side, true);
     double width = fmin(narrowest(&c), free_width(scene));
     sph2d_side_name out = side_of_outlets(scene, in.side);
-    if (is_along_x(out) != c.along_x) {
+    if (sph2d__side_is_vertical((int)out) != c.along_x) {
         channel away = channel_from(world, out, false);
         width = fmin(width, narrowest(&away));
     }

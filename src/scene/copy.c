@@ -3,11 +3,9 @@
  *  The copy of a scene that a world owns: deep, by the key table, which lists all pointers but those to particles and
  *  values at the start. */
 
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
-#include "scene/resolve.h"
 #include "scene/world.h"
 #include "sph2d/key.h"
 
@@ -89,14 +87,16 @@ static bool copy_struct(copier *c, const sph2d_keys *keys, char *owner)
 static bool copy_start(copier *c, sph2d_start *start)
 {
     sph2d_grid *g = &start->table;
-    size_t places = g->nx * g->ny;
+    size_t places = g->nx > 1 && g->ny > 1 && g->nx <= SIZE_MAX / g->ny ? g->nx * g->ny : 0;
+    if (places == 0) /* no table: the checks say so */
+        g->vx = g->vy = g->pressure = NULL;
     return copy_items(c, &g->x, g->nx, sizeof(double)) && copy_items(c, &g->y, g->ny, sizeof(double)) &&
            copy_items(c, &g->vx, places, sizeof(double)) && copy_items(c, &g->vy, places, sizeof(double)) &&
            copy_items(c, &g->pressure, places, sizeof(double)) &&
            copy_items(c, &start->snapshot.items, start->snapshot.count, sizeof(sph2d_cloud_point));
 }
 
-static bool copy_scene(const sph2d_scene *from, sph2d__arena *arena, sph2d__memory *memory, sph2d_scene *to)
+bool sph2d__scene_copy(const sph2d_scene *from, sph2d__arena *arena, sph2d__memory *memory, sph2d_scene *to)
 {
     *to = *from;
     copier c = {arena, memory};
@@ -106,21 +106,4 @@ static bool copy_scene(const sph2d_scene *from, sph2d__arena *arena, sph2d__memo
     for (size_t i = 0; ok && i < to->block_count; ++i)
         ok = copy_start(&c, (sph2d_start *)(uintptr_t)&to->blocks[i].start); /* of the fresh list */
     return ok;
-}
-
-static sph2d__gravity_direction direction_of(sph2d_vec2 g)
-{
-    double size = hypot(g.x, g.y);
-    return (sph2d__gravity_direction){size, size > 0 ? (sph2d_vec2){-g.x / size, -g.y / size} : (sph2d_vec2){0, 0}};
-}
-
-sph2d_status sph2d__world_copy(sph2d__world *world, const sph2d_scene *scene, sph2d__arena *arena,
-                               sph2d__memory *memory)
-{
-    *world = (sph2d__world){.box = scene->domain, .gravity = direction_of(scene->gravity)};
-    if (!copy_scene(scene, arena, memory, &world->scene))
-        return SPH2D_NOMEM;
-    world->scene.method = sph2d__method_resolve(scene->method);
-    world->scene.walls = sph2d__side_form(scene);
-    return sph2d__world_set_walls(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
 }

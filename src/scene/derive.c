@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file derive.c
- *  Sound speed, support radius and mass of a scene. */
+ *  What follows from a scene: head, sound speed, lengths; and the defaults that follow from these. */
 #include "scene/derive.h"
-#include "base/pi.h"
 
 #include <math.h>
 #include <string.h>
@@ -277,7 +276,7 @@ static sph2d_frames frames_of(const sph2d__world *world)
 }
 
 /** Gives gauges without a rise time their default. False when memory is short. */
-static bool settle_gauges(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+static bool resolve_gauges(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
 {
     sph2d_scene *scene = &world->scene;
     sph2d_probe *probes = sph2d__arena_alloc(arena, memory, scene->probe_count + 1, sizeof *probes);
@@ -297,5 +296,5 @@ sph2d_status sph2d__derive(sph2d__world *world, sph2d__arena *arena, sph2d__memo
     world->derived = derived_of(world);
     world->scene.fluid.regularisation = regularisation_of(world);
     world->scene.run.frames = frames_of(world);
-    return settle_gauges(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
+    return resolve_gauges(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
 }

@@ -9,7 +9,7 @@
 /* Liquid released at rest density oscillates up to twice its static compression. */
 static const double SPH2D__OVERSHOOT = 2;
 
-/** Sets `derived` of a world whose walls are settled, and the defaults that follow from it: the regularisation of the
+/** Sets `derived` of a world whose sides are resolved, and the defaults that follow from it: the regularisation of the
  *  liquid, the frames', and the rise time of gauges. Errors: SPH2D_NOMEM.
  *
  *  The pressure under the head is rho0 * head (Bernoulli) and p = c0^2 (rho - rho0), so that the static compression is

@@ -11,7 +11,7 @@
 
 typedef struct sph2d__flood {
     const sph2d__world *world;
-    const sph2d_scene *scene;  /**< its own */
+    const sph2d_scene *scene;  /**< that of the world */
     double up_x, up_y, lowest; /**< unit vector upwards, or 0; height of the domain's lowest corner along it [m] */
     sph2d_vec2 origin;
     double size_x, size_y; /**< of a cell [m] */

@@ -103,11 +103,9 @@ static bool is_covered(const sph2d_scene *scene)
 bool sph2d__liquid_fills(const sph2d__world *world)
 {
     const sph2d_scene *scene = &world->scene;
-    const sph2d_boundary *b = &scene->boundary;
     const sph2d_box *d = &scene->domain;
     double nx = floor((d->max.x - d->min.x) / scene->spacing), ny = floor((d->max.y - d->min.y) / scene->spacing);
-    if (b->left == SPH2D_SIDE_OPEN || b->right == SPH2D_SIDE_OPEN || b->bottom == SPH2D_SIDE_OPEN ||
-        b->top == SPH2D_SIDE_OPEN)
+    if (sph2d__has_side(scene, SPH2D_SIDE_OPEN))
         return false;
     if (is_covered(scene))
         return true;
@@ -250,7 +248,7 @@ static bool make_solid(const sph2d_scene *scene, sph2d_shape *outline, sph2d__ar
     return true;
 }
 
-sph2d_status sph2d__settle_sides(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+sph2d_status sph2d__resolve_sides(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
 {
     sph2d_scene *scene = &world->scene;
     sph2d_obstacle *obstacles = sph2d__arena_alloc(arena, memory, scene->obstacle_count + 1, sizeof *obstacles);

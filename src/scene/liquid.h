@@ -45,6 +45,6 @@ bool sph2d__solid_of_line(sph2d_points line, double thickness, sph2d_vec2 *corne
 
 /** Sets the wet sides of a world's walls and of its scene's obstacles, and replaces lines that are wet on both sides by
  *  solids; what is new is in the arena. Errors: SPH2D_NOMEM. */
-sph2d_status sph2d__settle_sides(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory);
+sph2d_status sph2d__resolve_sides(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory);
 
 #endif

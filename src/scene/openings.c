@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/** @file openings.c */
+/** @file openings.c
+ *  Openings: where they are, what they prescribe, and the reservoirs and solids that they add to a world. */
 #include "scene/openings.h"
 
 #include <math.h>
@@ -9,11 +10,6 @@
 #include "scene/motion.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
-
-static bool is_vertical(sph2d_side_name side)
-{
-    return side == SPH2D_SIDE_NAME_LEFT || side == SPH2D_SIDE_NAME_RIGHT;
-}
 
 const sph2d_opening *sph2d__opening_named(const sph2d_scene *scene, const char *name)
 {
@@ -26,7 +22,7 @@ const sph2d_opening *sph2d__opening_named(const sph2d_scene *scene, const char *
 sph2d__mouth sph2d__opening_mouth(const sph2d_scene *scene, const sph2d_opening *opening)
 {
     const sph2d_box *d = &scene->domain;
-    bool vertical = is_vertical(opening->side);
+    bool vertical = sph2d__side_is_vertical((int)opening->side);
     double low = vertical ? d->min.y : d->min.x, high = vertical ? d->max.y : d->max.x;
     double from = isnan(opening->from) ? low : opening->from, to = isnan(opening->to) ? high : opening->to;
     switch (opening->side) {
@@ -267,16 +263,16 @@ static sph2d__wall solid_beside(const sph2d__world *world, sph2d_side_name side,
 {
     const sph2d_box *d = &world->scene.domain, *all = &world->box;
     const sph2d_obstacle plain = sph2d_obstacle_default();
-    sph2d__wall solid = {.kind = SPH2D__WALL_IS_BESIDE,
+    sph2d__wall solid = {.kind = SPH2D__WALL_IS_BESIDE_OPENING,
                          .index = (size_t)side,
                          .name = sph2d__side_word((int)side),
-                         .key = sph2d__shape_key(SPH2D_SHAPE_BOX),
+                         .shape_key = sph2d__shape_key(SPH2D_SHAPE_BOX),
                          .form = sph2d__obstacle_form(&world->scene.method, plain.form),
                          .slip = world->walls[side].slip,
                          .restitution = plain.restitution,
                          .motion = plain.motion};
     sph2d_box *b = &solid.shape.box;
-    *b = is_vertical(side) ? (sph2d_box){{0, low}, {0, high}} : (sph2d_box){{low, 0}, {high, 0}};
+    *b = sph2d__side_is_vertical((int)side) ? (sph2d_box){{0, low}, {0, high}} : (sph2d_box){{low, 0}, {high, 0}};
     switch (side) {
     case SPH2D_SIDE_NAME_LEFT:
         b->min.x = all->min.x, b->max.x = d->min.x;
@@ -303,7 +299,7 @@ static const sph2d_opening *next_opening(const sph2d_scene *scene, sph2d_side_na
     for (size_t i = 0; i < scene->opening_count; ++i) {
         const sph2d_opening *o = &scene->openings[i];
         sph2d__mouth m = sph2d__opening_mouth(scene, o);
-        double from = is_vertical(side) ? m.start.y : m.start.x;
+        double from = sph2d__side_is_vertical((int)side) ? m.start.y : m.start.x;
         if (o->side == side && from >= at && from < least) {
             least = from;
             next = o;
@@ -319,7 +315,7 @@ static size_t fill_side(const sph2d__world *world, sph2d_side_name side, sph2d__
     const sph2d_scene *scene = &world->scene;
     const sph2d_box *all = &world->box;
     const sph2d_boundary *sides = &scene->boundary;
-    bool vertical = is_vertical(side);
+    bool vertical = sph2d__side_is_vertical((int)side);
     const sph2d_box *d = &scene->domain;
     double low = vertical ? d->min.y : d->min.x, high = vertical ? d->max.y : d->max.x;
     double first = vertical ? all->min.y : all->min.x, last = vertical ? all->max.y : all->max.x;

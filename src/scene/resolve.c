@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file resolve.c
- *  Defaults that depend on the method. */
+ *  Defaults of the method, the search radius, and periods. */
 #include "scene/resolve.h"
 
 #include <math.h>

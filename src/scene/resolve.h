@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file resolve.h
- *  Defaults that depend on the method. */
+ *  Defaults of the method, the search radius, and periods. */
 #ifndef SPH2D_SCENE_RESOLVE_H
 #define SPH2D_SCENE_RESOLVE_H
 

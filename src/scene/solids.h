@@ -6,15 +6,15 @@
 
 #include "scene/world.h"
 
-/** Obstacles sorted into the boxes of a grid over the domain; the boxes at its edge also stand for what lies beyond. */
+/** Walls sorted into the boxes of a grid over the world's box; the boxes at its edge also stand for what lies beyond. */
 typedef struct sph2d__solids {
     sph2d_box box;
-    size_t nx, ny; /**< boxes; 0 without obstacles */
+    size_t nx, ny; /**< boxes; 0 without walls */
     size_t *first; /**< of each box: its first in `wall`; one more than boxes */
     size_t *wall;  /**< numbers, in each box in order */
 } sph2d__solids;
 
-/** A list of obstacles, owned by the grid. */
+/** A list of walls, owned by the grid. */
 typedef struct sph2d__solid_list {
     const size_t *wall; /**< numbers in the world, in order */
     size_t count;
@@ -24,7 +24,7 @@ typedef struct sph2d__solid_list {
  *  short. */
 bool sph2d__solids_build(sph2d__solids *solids, const sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory);
 
-/** The obstacles that can enclose a position or be within six spacings of it, without periodic images. */
+/** The walls that can enclose a position or be within six spacings of it, without periodic images. */
 sph2d__solid_list sph2d__solids_near(const sph2d__solids *solids, sph2d_vec2 position);
 
 #endif

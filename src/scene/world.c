@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /** @file world.c
- *  The walls of a world: numbers, names, and what each is by default. */
+ *  A world as a scene draws it, and its walls: numbers, names, and what each is by default. */
 #include "scene/world.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "scene/method_table.h"
 #include "scene/motion.h"
+#include "scene/resolve.h"
 #include "scene/shape.h"
 
 static const char *const words[SPH2D__WALL_OBSTACLE] = {"left", "right", "bottom", "top"};
@@ -24,10 +26,41 @@ sph2d_side sph2d__side_of(const sph2d_scene *scene, int side)
     return sides[side];
 }
 
+sph2d_wall_slip sph2d__side_own_slip(const sph2d_scene *scene, int side)
+{
+    const sph2d_side_slips *s = &scene->side_slip;
+    const sph2d_wall_slip slips[] = {s->left, s->right, s->bottom, s->top};
+    return slips[side];
+}
+
+double sph2d__side_speed(const sph2d_scene *scene, int side)
+{
+    const sph2d_side_speeds *s = &scene->wall_speeds;
+    const double speeds[] = {s->left, s->right, s->bottom, s->top};
+    return speeds[side];
+}
+
+bool sph2d__has_side(const sph2d_scene *scene, sph2d_side kind)
+{
+    bool has = false;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        has = has || sph2d__side_of(scene, side) == kind;
+    return has;
+}
+
 double sph2d__side_distance(const sph2d_box *box, int side, sph2d_vec2 p)
 {
     const double within[] = {p.x - box->min.x, box->max.x - p.x, p.y - box->min.y, box->max.y - p.y};
     return within[side];
+}
+
+double sph2d__walled_distance(const sph2d_scene *scene, const sph2d_box *box, sph2d_vec2 p)
+{
+    double nearest = INFINITY;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        if (sph2d__side_of(scene, side) == SPH2D_SIDE_WALL)
+            nearest = fmin(nearest, sph2d__side_distance(box, side, p));
+    return nearest;
 }
 
 int sph2d__wall_named(const sph2d__world *world, const char *name)
@@ -40,7 +73,7 @@ int sph2d__wall_named(const sph2d__world *world, const char *name)
 
 const char *sph2d__wall_path(char *path, size_t size, const sph2d__wall *wall, const char *rest)
 {
-    if (wall->kind == SPH2D__WALL_IS_SIDE || wall->kind == SPH2D__WALL_IS_BESIDE)
+    if (wall->kind == SPH2D__WALL_IS_SIDE || wall->kind == SPH2D__WALL_IS_BESIDE_OPENING)
         snprintf(path, size, "boundary.%s", wall->name);
     else
         snprintf(path, size, "%s[%zu]%s", wall->kind == SPH2D__WALL_IS_BODY ? "bodies" : "obstacles", wall->index,
@@ -105,14 +138,12 @@ static sph2d_slip slip_or_scene(const sph2d_scene *scene, sph2d_wall_slip own)
 
 static sph2d__wall side_wall(const sph2d_scene *scene, int side)
 {
-    const sph2d_wall_slip slips[] = {scene->side_slip.left, scene->side_slip.right, scene->side_slip.bottom,
-                                     scene->side_slip.top};
     return (sph2d__wall){.kind = SPH2D__WALL_IS_SIDE,
                          .index = (size_t)side,
                          .name = words[side],
-                         .key = "",
+                         .shape_key = "",
                          .form = scene->walls,
-                         .slip = slip_or_scene(scene, slips[side]),
+                         .slip = slip_or_scene(scene, sph2d__side_own_slip(scene, side)),
                          .motion = sph2d_motion_default()};
 }
 
@@ -122,7 +153,7 @@ static sph2d__wall obstacle_wall(const sph2d_scene *scene, size_t index)
     return (sph2d__wall){.kind = SPH2D__WALL_IS_OBSTACLE,
                          .index = index,
                          .name = o->name,
-                         .key = sph2d__shape_key(o->shape.kind),
+                         .shape_key = sph2d__shape_key(o->shape.kind),
                          .shape = o->shape,
                          .liquid = o->liquid,
                          .form = sph2d__obstacle_form(&scene->method, o->form),
@@ -138,7 +169,7 @@ static sph2d__wall body_wall(const sph2d_scene *scene, size_t index)
     return (sph2d__wall){.kind = SPH2D__WALL_IS_BODY,
                          .index = index,
                          .name = body->name,
-                         .key = sph2d__shape_key(body->shape.kind),
+                         .shape_key = sph2d__shape_key(body->shape.kind),
                          .shape = body->shape,
                          .form = sph2d__obstacle_form(&scene->method, SPH2D_WALL_DEFAULT),
                          .slip = slip_or_scene(scene, body->slip),
@@ -147,7 +178,7 @@ static sph2d__wall body_wall(const sph2d_scene *scene, size_t index)
                          .body = body};
 }
 
-bool sph2d__world_set_walls(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+static bool set_walls(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
 {
     const sph2d_scene *scene = &world->scene;
     const size_t beside = scene->opening_count > 0 ? scene->opening_count + SPH2D__WALL_OBSTACLE : 0; /* at most */
@@ -165,4 +196,21 @@ bool sph2d__world_set_walls(sph2d__world *world, sph2d__arena *arena, sph2d__mem
         world->walls[count++] = body_wall(scene, k);
     world->wall_count = count;
     return true;
+}
+
+static sph2d__gravity_direction direction_of(sph2d_vec2 g)
+{
+    double size = hypot(g.x, g.y);
+    return (sph2d__gravity_direction){size, size > 0 ? (sph2d_vec2){-g.x / size, -g.y / size} : (sph2d_vec2){0, 0}};
+}
+
+sph2d_status sph2d__world_copy(sph2d__world *world, const sph2d_scene *scene, sph2d__arena *arena,
+                               sph2d__memory *memory)
+{
+    *world = (sph2d__world){.box = scene->domain, .gravity = direction_of(scene->gravity)};
+    if (!sph2d__scene_copy(scene, arena, memory, &world->scene))
+        return SPH2D_NOMEM;
+    world->scene.method = sph2d__method_resolve(scene->method);
+    world->scene.walls = sph2d__side_form(scene);
+    return set_walls(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
 }

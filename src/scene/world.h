@@ -23,16 +23,16 @@ enum {
 typedef enum sph2d__wall_kind {
     SPH2D__WALL_IS_SIDE,
     SPH2D__WALL_IS_OBSTACLE,
-    SPH2D__WALL_IS_BESIDE, /**< solid beside openings of a side, as far as their reservoirs reach */
+    SPH2D__WALL_IS_BESIDE_OPENING, /**< solid beside openings of a side, as far as their reservoirs reach */
     SPH2D__WALL_IS_BODY,
 } sph2d__wall_kind;
 
 /** A wall. Sides have no shape: they are lines of the domain, and need not be walls (sph2d__side_of). */
 typedef struct sph2d__wall {
     sph2d__wall_kind kind;
-    size_t index;     /**< in the scene's list of obstacles or bodies; of a side, and beside one, its number */
-    const char *name; /**< NULL: none; of a side, and beside one, its word */
-    const char *key;  /**< of its shape in the scene: ".line" */
+    size_t index;          /**< in the scene's list of obstacles or bodies; of a side, and beside one, its number */
+    const char *name;      /**< NULL: none; of a side, and beside one, its word */
+    const char *shape_key; /**< ".line": of its shape in the scene, even where a line has become a polygon */
     sph2d_shape shape;
     sph2d_liquid_side liquid;
     sph2d_wall_form form;
@@ -88,20 +88,34 @@ sph2d_status sph2d__world_make(sph2d__world *world, const sph2d_scene *scene, bo
  *  SPH2D_NOMEM. */
 sph2d_status sph2d__world_copy(sph2d__world *world, const sph2d_scene *scene, sph2d__arena *arena,
                                sph2d__memory *memory);
-/** The list alone. False when memory is short. */
-bool sph2d__world_set_walls(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory);
+/** Copies `from` with all its lists and strings into `arena` (copy.c). False when memory is short. */
+bool sph2d__scene_copy(const sph2d_scene *from, sph2d__arena *arena, sph2d__memory *memory, sph2d_scene *to);
 
 /** The word of a side, 0 to 3: "left". */
 const char *sph2d__side_word(int side);
 /** What a side is. */
 sph2d_side sph2d__side_of(const sph2d_scene *scene, int side);
+/** Whether any side is of a kind. */
+bool sph2d__has_side(const sph2d_scene *scene, sph2d_side kind);
+/** Whether a side, by its number or its name, is left or right. */
+static inline bool sph2d__side_is_vertical(int side)
+{
+    return side == SPH2D__WALL_LEFT || side == SPH2D__WALL_RIGHT;
+}
+/** The slip that the scene gives a side, and its speed along itself [m/s]. */
+sph2d_wall_slip sph2d__side_own_slip(const sph2d_scene *scene, int side);
+double sph2d__side_speed(const sph2d_scene *scene, int side);
 /** How far a point is within a side of a rectangle, negative beyond it [m]. */
 double sph2d__side_distance(const sph2d_box *box, int side, sph2d_vec2 point);
+
+/** The same for the nearest side that is a wall; INFINITY without one [m]. */
+double sph2d__walled_distance(const sph2d_scene *scene, const sph2d_box *box, sph2d_vec2 point);
 
 /** The wall of a name: a side's word, or that of an obstacle or body; SPH2D__WALL_ALL if there is none. */
 int sph2d__wall_named(const sph2d__world *world, const char *name);
 
-/** "obstacles[2].line", "bodies[0].circle", "boundary.left": the key of a wall and `rest`; at most `size` bytes. */
+/** "obstacles[2].line", "bodies[0].circle", "boundary.left": the key of a wall and `rest`, which sides and what lies beside
+ *  openings do without; at most `size` bytes. */
 const char *sph2d__wall_path(char *path, size_t size, const sph2d__wall *wall, const char *rest);
 
 /** Whether a wall ever moves: by its motion, or as a body; and whether it ever turns. */

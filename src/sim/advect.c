@@ -100,7 +100,7 @@ static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, kicked k,
         sph2d__bodies_strike(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
     }
     if (hits > 0 && sph2d__loads_wanted(sim))
-        sph2d__loads_contact(sim, moving->wall, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
+        sph2d__loads_contact(sim, moving->number, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
                              energy_at(sim, k, *to, *v) - energy_at(sim, k, at, before));
     return (uint64_t)hits;
 }

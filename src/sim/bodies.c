@@ -9,7 +9,6 @@
 #include "base/pi.h"
 #include "scene/bodies.h"
 #include "scene/shape.h"
-#include "scene/world.h"
 #include "sim/simulation.h"
 
 /* ---- creation ---------------------------------------------------------------------------------------------------- */
@@ -42,7 +41,7 @@ static void tie_outlines(sph2d_sim *sim)
 {
     for (size_t k = 0; k < sim->moving_count; ++k)
         for (size_t b = 0; b < sim->bodies.count; ++b)
-            if (sim->moving[k].wall == sim->bodies.items[b].wall) {
+            if (sim->moving[k].number == sim->bodies.items[b].wall) {
                 sim->moving[k].rigid = &sim->bodies.items[b];
                 sim->moving[k].course.center = sim->bodies.items[b].center;
             }

@@ -49,7 +49,7 @@ static void set_walls(sph2d_sim *sim)
 static const sph2d__moving *moving_of(const sph2d_sim *sim, int wall)
 {
     for (size_t k = 0; k < sim->moving_count; ++k)
-        if (sim->moving[k].wall == wall)
+        if (sim->moving[k].number == wall)
             return &sim->moving[k];
     return NULL;
 }

@@ -91,7 +91,7 @@ static double turning(const sph2d_shape *outline, double spacing)
 
 static void add_wall(writer *w, double dx, const sph2d__wall *o)
 {
-    bool layers = o->body || o->form == SPH2D_WALL_GENERALISED || o->kind == SPH2D__WALL_IS_BESIDE;
+    bool layers = o->body || o->form == SPH2D_WALL_GENERALISED || o->kind == SPH2D__WALL_IS_BESIDE_OPENING;
     if (!layers)
         add_corners(w, &o->shape, dx, false, SPH2D_OUTLINE_LIQUID_BOTH);
     else if (sph2d__wall_is_hollow(o))
@@ -109,8 +109,11 @@ static size_t write(const sph2d_sim *sim, sph2d__outlines *to)
     writer w = {.to = to};
     add_sides(&w, &sim->world.scene);
     for (size_t k = SPH2D__WALL_OBSTACLE; k < sim->world.wall_count; ++k) {
-        w.wall = k - SPH2D__WALL_OBSTACLE;
-        add_wall(&w, sim->world.scene.spacing, &sim->world.walls[k]);
+        const sph2d__wall *is = &sim->world.walls[k];
+        w.wall = is->kind == SPH2D__WALL_IS_BESIDE_OPENING ? UINT64_MAX : is->index;
+        if (is->body)
+            w.wall += sim->world.scene.obstacle_count;
+        add_wall(&w, sim->world.scene.spacing, is);
     }
     return w.count;
 }
@@ -146,7 +149,10 @@ void sph2d__outlines_move(sph2d_sim *sim)
             continue;
         if (all->wall[i] != wall) {
             wall = all->wall[i];
-            pose = sph2d__sim_pose_of(sim, &sim->world.walls[SPH2D__WALL_OBSTACLE + wall]);
+            const size_t obstacles = sim->world.scene.obstacle_count;
+            const size_t number =
+                wall < obstacles ? SPH2D__WALL_OBSTACLE + wall : sim->world.first_body + (wall - obstacles);
+            pose = sph2d__sim_pose_of(sim, &sim->world.walls[number]);
         }
         sph2d_vec2 at = sph2d__pose_apply(&pose, all->start[i]);
         all->x[i] = at.x;

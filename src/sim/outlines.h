@@ -14,7 +14,7 @@ typedef struct sph2d__outlines {
     double *x, *y;     /**< where they are now [m] */
     uint64_t *id;      /**< which outline a corner belongs to, from 0 */
     uint64_t *liquid;  /**< sph2d_outline_liquid of its outline */
-    uint64_t *wall;    /**< its place among obstacles, solids beside openings and bodies; UINT64_MAX: a side */
+    uint64_t *wall;    /**< its obstacle, or body behind all obstacles; UINT64_MAX: a side, or beside an opening */
 } sph2d__outlines;
 
 /** Lists the outlines, in the arena. False when memory is short. */

@@ -42,7 +42,7 @@ struct sph2d_sim {
     sph2d__course tank;    /**< of the domain: scene/frame.h */
     sph2d__moving *moving; /**< capacity: every wall */
     size_t moving_count;
-    sph2d__ids *wall_ids;                     /**< of each wall */
+    sph2d__ids *wall_ids;                     /**< of each wall but sides, for which it is 0 to 0 */
     sph2d__loads loads;                       /**< forces on walls that probes measure */
     sph2d_vec2 momentum_before, force_before; /**< at the start of the step ... */
     bool momentum_watched;                    /**< ... whose momentum is balanced ... */
@@ -50,7 +50,7 @@ struct sph2d_sim {
     sph2d__bodies bodies;                     /**< that the liquid moves */
     sph2d__openings openings;                 /**< through which liquid flows in and out */
     sph2d__outlines outlines;                 /**< of walls and bodies, as they are now */
-    sph2d__solids solids;                     /**< the obstacles as they are when the liquid is placed */
+    sph2d__solids solids;                     /**< the walls as they are when the liquid is placed */
     sph2d__point_force *points;               /**< capacity: every interaction and the pointer */
     uint64_t *source_rows;                    /**< rows that each source has emitted */
     uint64_t *output_counts;                  /**< outputs written: snapshots, frames, then each probe */

@@ -24,7 +24,7 @@ static void update_nearest(nearest *n, double distance, const char *list, size_t
 sph2d__pose sph2d__sim_pose_of(const sph2d_sim *sim, const sph2d__wall *wall)
 {
     for (size_t k = 0; k < sim->moving_count; ++k)
-        if (sim->moving[k].drawn == wall)
+        if (sim->moving[k].wall == wall)
             return sim->moving[k].to;
     return (sph2d__pose){.cosine = 1};
 }

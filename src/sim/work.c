@@ -47,7 +47,7 @@ bool sph2d__sim_error_is_known(const sph2d_sim *sim)
 {
     bool sticks = false;
     for (size_t k = 0; k < sim->moving_count && !sticks; ++k)
-        sticks = sim->moving[k].drawn->slip != SPH2D_SLIP_FREE;
+        sticks = sim->moving[k].wall->slip != SPH2D_SLIP_FREE;
     return sim->moving_count == 0 || sim->method->wall_force || (sim->method->books_walls && !sticks);
 }
 

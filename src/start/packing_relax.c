@@ -118,15 +118,8 @@ static double evaluate_gradients(sph2d__packing_state *p)
 /** Distance to the nearest side of the domain with a spring wall, which repels particles within half a spacing. */
 static double distance_to_springs(const sph2d_sim *sim, sph2d_vec2 at)
 {
-    const sph2d_boundary b = sim->world.scene.boundary;
-    const sph2d_box d = sim->world.box;
-    if (sim->world.scene.walls != SPH2D_WALL_SPRING)
-        return INFINITY;
-    double left = b.left == SPH2D_SIDE_WALL ? at.x - d.min.x : INFINITY;
-    double right = b.right == SPH2D_SIDE_WALL ? d.max.x - at.x : INFINITY;
-    double bottom = b.bottom == SPH2D_SIDE_WALL ? at.y - d.min.y : INFINITY;
-    double top = b.top == SPH2D_SIDE_WALL ? d.max.y - at.y : INFINITY;
-    return fmin(fmin(left, right), fmin(bottom, top));
+    const sph2d__world *world = &sim->world;
+    return world->scene.walls == SPH2D_WALL_SPRING ? sph2d__walled_distance(&world->scene, &world->box, at) : INFINITY;
 }
 
 /** Whether a particle may move: within the area, not across a wall, not into the range of spring walls. */

@@ -109,7 +109,7 @@ sph2d_status sph2d__sim_check_distances(const sph2d_sim *sim, uint64_t first, sp
     return SPH2D_OK;
 }
 
-/** The wall that a boundary particle belongs to; their count for a side of the domain. */
+/** The wall that a boundary particle belongs to; the number of walls for a side of the domain. */
 static size_t wall_of(const sph2d_sim *sim, uint64_t wall_id)
 {
     size_t i = SPH2D__WALL_OBSTACLE;
@@ -145,7 +145,7 @@ bool sph2d__sim_is_in_layers(const sph2d_sim *sim, sph2d_vec2 at)
 /** "obstacles[2].line" */
 static void name_outline(const sph2d_sim *sim, size_t k, char path[64])
 {
-    sph2d__wall_path(path, 64, &sim->world.walls[k], sim->world.walls[k].key);
+    sph2d__wall_path(path, 64, &sim->world.walls[k], sim->world.walls[k].shape_key);
 }
 
 static sph2d_status refuse_wall(const sph2d_sim *sim, size_t k, sph2d_vec2 at, size_t count, sph2d_report *report)

@@ -28,16 +28,16 @@ typedef struct contour {
     double side;         /**< +1: layers on the left, -1: on the right */
 } contour;
 
-static contour contour_of(const sph2d_sim *sim, const sph2d__wall *obstacle)
+static contour contour_of(const sph2d_sim *sim, const sph2d__wall *wall)
 {
-    const sph2d_shape *outline = &obstacle->shape;
+    const sph2d_shape *outline = &wall->shape;
     bool closed = !sph2d__shape_is_open(outline), left = closed;
     if (outline->kind == SPH2D_SHAPE_POLYGON)
         left = !sph2d__polygon_is_clockwise(outline->points);
     else if (!closed)
-        left = obstacle->liquid == SPH2D_LIQUID_RIGHT;
+        left = wall->liquid == SPH2D_LIQUID_RIGHT;
     double dx = sim->world.scene.spacing;
-    bool hollow = sph2d__wall_is_hollow(obstacle);
+    bool hollow = sph2d__wall_is_hollow(wall);
     return (contour){outline, dx, sph2d__shape_pieces(outline, dx), closed, hollow, left != hollow ? 1 : -1};
 }
 
@@ -86,9 +86,9 @@ static sph2d__segment layer_piece(const contour *c, size_t index, double d, doub
     return layer;
 }
 
-sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d__wall *obstacle, size_t index, double distance)
+sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d__wall *wall, size_t index, double distance)
 {
-    const contour c = contour_of(sim, obstacle);
+    const contour c = contour_of(sim, wall);
     return layer_piece(&c, index, distance, 0);
 }
 
@@ -240,13 +240,13 @@ static bool add_back(sph2d_sim *sim, const contour *c, sph2d__barrier *barrier)
     return true;
 }
 
-sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d__wall *obstacle, sph2d__barrier *barrier,
+sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d__wall *wall, sph2d__barrier *barrier,
                                      sph2d_report *report)
 {
-    contour c = contour_of(sim, obstacle);
+    contour c = contour_of(sim, wall);
     sph2d__near earlier = {0}; /* none for a body: it starts clear of the others, or where a wall was built meanwhile */
     if (((!c.closed || c.hollow) && !add_back(sim, &c, barrier)) ||
-        (!obstacle->body && !sph2d__layers_find_earlier(sim, &earlier)))
+        (!wall->body && !sph2d__layers_find_earlier(sim, &earlier)))
         return SPH2D_NOMEM;
     sph2d_status status = SPH2D_OK;
     for (int k = 0; status == SPH2D_OK && k < sph2d__layer_count(sim); ++k)

@@ -180,7 +180,7 @@ static sph2d_status start_motion(sph2d_sim *sim, sph2d__moving *m, const sph2d__
     sph2d_vec2 *normals = turns ? sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *normals) : NULL;
     if ((bends && !points) || (turns && !normals))
         return SPH2D_NOMEM;
-    m->drawn = wall;
+    m->wall = wall;
     m->course = sph2d__course_of(&wall->motion, &wall->shape, points);
     sph2d__moving_start(m, walls, normals);
     return SPH2D_OK;
@@ -202,7 +202,7 @@ static sph2d_status place_wall(sph2d_sim *sim, size_t index, sph2d_report *repor
     ids->end = sim->system.walls.count;
     if (!m || status != SPH2D_OK)
         return status;
-    m->wall = (int)index;
+    m->number = (int)index;
     m->first_id = ids->first;
     m->end_id = ids->end;
     return start_motion(sim, m, wall);
@@ -267,7 +267,7 @@ static bool make_spins(sph2d_sim *sim)
     sph2d__system *s = &sim->system;
     bool turns = false;
     for (size_t k = 0; k < sim->moving_count; ++k)
-        turns = turns || sph2d__wall_turns(sim->moving[k].drawn);
+        turns = turns || sph2d__wall_turns(sim->moving[k].wall);
     if (!turns || !s->walls.depth)
         return true;
     s->wall_spin = sph2d__arena_alloc(&sim->arena, &sim->memory, s->walls.count + 1, sizeof *s->wall_spin);

@@ -16,12 +16,12 @@ bool sph2d__sim_is_too_large(const sph2d_sim *sim, sph2d_report *report);
 sph2d_status sph2d__sim_place_walls(sph2d_sim *sim, sph2d_report *report);
 /** Place the layers of generalised walls: along an obstacle, adding the back of an open line to its barrier, and
  *  outside the sides of the domain that are walls. The same errors. */
-sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d__wall *obstacle, sph2d__barrier *barrier,
+sph2d_status sph2d__sim_place_layers(sph2d_sim *sim, const sph2d__wall *wall, sph2d__barrier *barrier,
                                      sph2d_report *report);
 /** Whether the single row of an obstacle lies behind its surface: of solids that are heavy. */
 bool sph2d__has_inset_row(const sph2d__wall *wall);
 /** Piece `index` of a closed outline moved inwards by a distance [m], as a layer's. */
-sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d__wall *obstacle, size_t index, double distance);
+sph2d__segment sph2d__inset_piece(const sph2d_sim *sim, const sph2d__wall *wall, size_t index, double distance);
 sph2d_status sph2d__sim_place_side_layers(sph2d_sim *sim, sph2d_report *report);
 /** Place the particles of one block; all blocks and the single particles. Errors: SPH2D_SCENE, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_place_block(sph2d_sim *sim, size_t index, sph2d_report *report);

@@ -8,9 +8,10 @@
 #include "start/start.h"
 
 /** Height of a position against gravity, from the origin [m]. */
-static double height_of(const sph2d_scene *scene, double x, double y)
+static double height_of(const sph2d__world *world, double x, double y)
 {
-    double g = hypot(scene->gravity.x, scene->gravity.y);
+    const sph2d_scene *scene = &world->scene;
+    double g = world->gravity.size;
     return g > 0 ? -(scene->gravity.x * x + scene->gravity.y * y) / g : 0;
 }
 
@@ -20,7 +21,7 @@ static double bottom_of(const sph2d_sim *sim, size_t first)
     const sph2d__store *f = &sim->system.fluid;
     double lowest = INFINITY;
     for (size_t i = first; i < f->count; ++i)
-        lowest = fmin(lowest, height_of(&sim->world.scene, f->x[i], f->y[i]));
+        lowest = fmin(lowest, height_of(&sim->world, f->x[i], f->y[i]));
     return lowest - sim->world.scene.spacing / 2;
 }
 
@@ -34,7 +35,7 @@ static sph2d_vec2 settled(const sph2d_sim *sim, size_t i, double pressure, doubl
     const sph2d_scene *scene = &sim->world.scene;
     const sph2d__store *f = &sim->system.fluid;
     double g = sim->world.gravity.size, c2 = sim->system.sound_speed * sim->system.sound_speed;
-    double s = height_of(scene, f->x[i], f->y[i]) - bottom, head = pressure / (scene->fluid.density * g);
+    double s = height_of(&sim->world, f->x[i], f->y[i]) - bottom, head = pressure / (scene->fluid.density * g);
     if (!(g > 0 && pressure > 0))
         return (sph2d_vec2){f->x[i], f->y[i]};
     double at_bottom = g * (head + s) / c2, at_particle = g * head / c2;

@@ -324,7 +324,7 @@ static bool close_face(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, s
 /** Closes faces and hides squares near a solid that moves. False: memory is short. */
 static bool cut_by(sph2d_sim *sim, sph2d__grid *g, const sph2d__moving *m, float *own)
 {
-    const solid_shape s = solid_of(&sim->world, m->drawn, &m->to);
+    const solid_shape s = solid_of(&sim->world, m->wall, &m->to);
     const corners c = corners_near(g, &s);
     const float unit = 2 / (g->hx + g->hy);
     const size_t up = g->stride;

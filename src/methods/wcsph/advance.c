@@ -287,7 +287,7 @@ static void hold(sph2d_sim *sim)
     for (size_t i = 0; z->holds && i < f->count; ++i) {
         const sph2d__opening *o = sph2d__opening_at(sim, f->x[i], f->y[i]);
         z->held[i] = o != NULL;
-        z->held_excess[i] = f->log_density[i];
+        z->held_log_density[i] = f->log_density[i];
         if (o)
             z->summed[i] = z->shift_x[i] = z->shift_y[i] = 0;
         if (sim->system.method.name == SPH2D_METHOD_CONSTRAINT)

@@ -127,7 +127,7 @@ static inline double sph2d__density_ratio(double theta)
     X(mean_vx) X(mean_vy)            /* velocities that K takes, over the step, where walls stick [m/s] */             \
     X(held)                          /* 1 in reservoirs of openings, whose velocity and theta are prescribed, else 0 */\
     X(withheld_x) X(withheld_y)      /* the acceleration that they would have [m/s^2] */                               \
-    X(held_excess)                   /* their theta before it was prescribed anew */                                   \
+    X(held_log_density)                   /* their theta before it was prescribed anew */                                   \
     X(px) X(py)                      /* where particles are now [m] */                                                 \
     X(acts)                          /* a */                                                                           \
     X(mean_work) X(mean_ex) X(mean_ey) /* over the step: 2 a P + l, and A sum (P_k - P_i) G_ik */                      \

@@ -134,11 +134,12 @@ SPH2D__INLINE void drift(sph2d__system *s, size_t i, size_t last, const rate_sum
     sph2d__lanes change = sph2d__lanes_load(z->diffused + i);
     if (z->holds) {
         const sph2d__lanes held = sph2d__lanes_load(z->held + i);
-        const sph2d__lanes now = sph2d__lanes_load(t->log_density + i), old = sph2d__lanes_load(z->held_excess + i);
+        const sph2d__lanes now = sph2d__lanes_load(t->log_density + i),
+                           old = sph2d__lanes_load(z->held_log_density + i);
         add_lanes(&sum->fourth,
                   stiffness * held * (time.before * d.before * old + time.after * d.after * now + change * now), i,
                   last);
-        sph2d__lanes_store(z->held_excess + i, now);
+        sph2d__lanes_store(z->held_log_density + i, now);
         d = (wall_rates){(1 - held) * d.before, (1 - held) * d.after};
         change = (1 - held) * change;
     }
