@@ -95,9 +95,13 @@ static bool is_shape(const sph2d_shape *shape)
             if (!is_point(corners->items[k]))
                 return false;
         return true;
-    default:
-        return false;
+    case SPH2D_SHAPE_LINE:
+    case SPH2D_SHAPE_POLYLINE:
+    case SPH2D_SHAPE_ARC:
+    case SPH2D_SHAPE_NONE:
+        break;
     }
+    return false;
 }
 
 sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape, size_t *removed)

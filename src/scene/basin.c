@@ -8,6 +8,7 @@
 
 #include "scene/flood.h"
 #include "scene/openings.h"
+#include "scene/shape.h"
 
 /* Maximum number of cells times liquids. */
 static const double MAX_VISITS = 4e7;
@@ -28,11 +29,10 @@ static sph2d_vec2 extremes_of(const sph2d__flood *g, const sph2d_shape *shape)
         double centre = sph2d__flood_height(g, shape->circle.center);
         return (sph2d_vec2){centre - shape->circle.radius, centre + shape->circle.radius};
     }
-    if (shape->kind == SPH2D_SHAPE_BOX)
-        return sph2d__flood_heights(g, shape->box);
-    for (size_t k = 0; k < shape->points.count; ++k) {
-        h.x = fmin(h.x, sph2d__flood_height(g, shape->points.items[k]));
-        h.y = fmax(h.y, sph2d__flood_height(g, shape->points.items[k]));
+    const double spacing = g->scene->spacing;
+    for (size_t k = 0, n = sph2d__shape_pieces(shape, spacing); k < n; ++k) {
+        const double height = sph2d__flood_height(g, sph2d__shape_piece(shape, spacing, k).a);
+        h = (sph2d_vec2){fmin(h.x, height), fmax(h.y, height)};
     }
     return h;
 }

@@ -120,8 +120,7 @@ static void check_obstacle(checker *c, size_t i)
     case SPH2D_SHAPE_ARC:
         check_arc(c, &outline->arc, i);
         break;
-    case SPH2D_SHAPE_NONE:
-    default: {
+    case SPH2D_SHAPE_NONE: {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""), "has no outline");
         sph2d_diagnostic_hint(d, "give one of %s",

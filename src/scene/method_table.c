@@ -147,6 +147,10 @@ static const sph2d__method_row rows[] = {
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
+#define ONE(name, word) +1
+_Static_assert(ROWS == 0 SPH2D_METHOD_MAP(ONE) + 1, "a row for each method, and one more for wcsph's fitted operators");
+#undef ONE
+
 const sph2d__method_row *sph2d__method_row_of(const sph2d_method_options *options)
 {
     const sph2d__method_row *found = NULL;

@@ -171,14 +171,15 @@ static double count_inside(const placing *b, const lattice *l)
     return count;
 }
 
-/** Moves the particles of a disc so that their centroid is the disc's centre. */
+/** Moves the particles of a block so that their centroid is its shape's. */
 static void centre(sph2d_sim *sim, const placing *b)
 {
+    const sph2d_vec2 c = sph2d_shape_centroid(&b->block->shape);
     sph2d__store *f = &sim->system.fluid;
     double x = 0, y = 0, count = (double)(f->count - b->first);
     for (size_t i = b->first; i < f->count; ++i) {
-        x += (f->x[i] - b->block->shape.circle.center.x) / count;
-        y += (f->y[i] - b->block->shape.circle.center.y) / count;
+        x += (f->x[i] - c.x) / count;
+        y += (f->y[i] - c.y) / count;
     }
     for (size_t i = b->first; i < f->count; ++i) {
         f->x[i] -= x;

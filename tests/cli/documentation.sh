@@ -5,7 +5,7 @@
 . "$SPH2D_ROOT/tests/cli/common"
 page=$SPH2D_ROOT/cli/sph2d.1
 
-for command in run resume render plot export check study info init help; do
+for command in $("$SPH2D" --help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
     grep -q "^\.It Cm $command$" "$page" || fail "the man page has no '$command'"
     "$SPH2D" $command --help | sed -n 's/^  .*--\([a-z-]*\).*/\1/p' >>options
 done

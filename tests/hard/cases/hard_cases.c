@@ -126,10 +126,14 @@ static void read_known(const char *path)
         give_up("cannot read", path);
     while (fgets(line, sizeof line, file)) {
         known_miss *k = &known[known_count];
-        const int read = sscanf(line, "cases|%31[^|]|%159[^|]|%lf", k->row, k->name, &k->seen);
-        if (read == 2)
+        int length = 0;
+        char *end;
+        if (sscanf(line, "cases|%31[^|]|%159[^|]|%n", k->row, k->name, &length) != 2 || length == 0)
+            continue;
+        k->seen = strtod(line + length, &end);
+        if (end == line + length)
             give_up("a line has no number in", path);
-        if (read == 3 && ++known_count == MOST_KNOWN)
+        if (++known_count == MOST_KNOWN)
             give_up("too many lines in", path);
     }
     fclose(file);
