@@ -128,15 +128,19 @@ sph2d_status sph2d__find_contacts(sph2d__contacts *c);
 
 /* ---- groups.c ---------------------------------------------------------------------------------------------------- */
 
-/** Bodies and contacts sorted by groups, which share no body that can move. */
+/** A body or a contact, and its group: the smallest number of a body in it. */
+typedef struct sph2d__member {
+    uint32_t group, index;
+} sph2d__member;
+
+/** Bodies that move and have contacts, and all contacts, by groups, which share no body that can move. */
 typedef struct sph2d__groups {
-    size_t count;
-    uint32_t *bodies;    /**< those with contacts, by group */
-    uint32_t *contacts;  /**< by group */
-    size_t *body_end;    /**< of each group: the end of its bodies; the next one's begin there */
-    size_t *contact_end; /**< the same of contacts */
+    sph2d__member *bodies, *contacts;
+    size_t body_count;
 } sph2d__groups;
 
+/** Whether a body can move; walls, which are the number of bodies, do not. */
+bool sph2d__moves(const sph2d__contacts *c, uint32_t body);
 /** Finds the groups; their memory is that of the arena. */
 sph2d_status sph2d__find_groups(sph2d__contacts *c, sph2d__groups *groups);
 

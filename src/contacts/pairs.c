@@ -85,13 +85,7 @@ static bool meet(const sph2d__contacts *c, const sph2d__placed *a, const sph2d__
 {
     if (a->number == c->body_count || (b->number != c->body_count && (a->image || a->number >= b->number)))
         return false;
-    const sph2d_contact_body *first = &c->bodies[a->number];
-    bool moves = first->inverse_mass_x > 0 || first->inverse_mass_y > 0 || first->inverse_inertia > 0;
-    if (b->number != c->body_count) {
-        const sph2d_contact_body *second = &c->bodies[b->number];
-        moves = moves || second->inverse_mass_x > 0 || second->inverse_mass_y > 0 || second->inverse_inertia > 0;
-    }
-    return moves;
+    return sph2d__moves(c, a->number) || sph2d__moves(c, b->number);
 }
 
 static sph2d_status add_pair(sph2d__contacts *c, uint32_t a, uint32_t b)

@@ -32,8 +32,8 @@ typedef struct group {
     double *should; /**< of each row: the speed of separation with bounces and pushes */
     double *work;   /**< of the wall of each row, by what the bodies' velocities have of its impulses [J/m] */
     size_t row_count;
-    sph2d__mover *movers;   /**< of all groups */
-    const uint32_t *bodies; /**< of this one */
+    sph2d__mover *movers;        /**< of all groups */
+    const sph2d__member *bodies; /**< of this one */
     size_t body_count;
     motion *start, *must; /**< of each body of the group: before contacts, and with what it must do alone */
 } group;
@@ -82,7 +82,7 @@ static double limit_energy(const group *g, const motion *from, double from_work,
 {
     double square = 0, linear = from_work - work, constant = -from_work, energy = 0;
     for (size_t i = 0; i < g->body_count; ++i) {
-        const sph2d__mover *m = &g->movers[g->bodies[i]];
+        const sph2d__mover *m = &g->movers[g->bodies[i].index];
         motion d = {m->vx - from[i].vx, m->vy - from[i].vy, m->w - from[i].w};
         double start = product(m, g->start[i], g->start[i]) / 2;
         square += product(m, d, d) / 2;
@@ -99,7 +99,7 @@ static double limit_energy(const group *g, const motion *from, double from_work,
     }
     part = fmax(0, fmin(1, part));
     for (size_t i = 0; i < g->body_count; ++i) {
-        sph2d__mover *m = &g->movers[g->bodies[i]];
+        sph2d__mover *m = &g->movers[g->bodies[i].index];
         m->vx = from[i].vx + part * (m->vx - from[i].vx);
         m->vy = from[i].vy + part * (m->vy - from[i].vy);
         m->w = from[i].w + part * (m->w - from[i].w);
@@ -145,7 +145,7 @@ static bool ask_for_more(group *g)
 static void begin_anew(group *g)
 {
     for (size_t i = 0; i < g->body_count; ++i) {
-        sph2d__mover *m = &g->movers[g->bodies[i]];
+        sph2d__mover *m = &g->movers[g->bodies[i].index];
         g->must[i] = motion_of(m);
         m->vx = g->start[i].vx;
         m->vy = g->start[i].vy;
@@ -162,7 +162,7 @@ static void begin_anew(group *g)
 static void exchange(group *g)
 {
     for (size_t i = 0; i < g->body_count; ++i) {
-        sph2d__mover *m = &g->movers[g->bodies[i]];
+        sph2d__mover *m = &g->movers[g->bodies[i].index];
         motion other = g->must[i];
         g->must[i] = motion_of(m);
         m->vx = other.vx;
@@ -176,7 +176,7 @@ static bool affordable(const group *g)
 {
     double rise = -work_of_walls(g), energy = 0;
     for (size_t i = 0; i < g->body_count; ++i) {
-        const sph2d__mover *m = &g->movers[g->bodies[i]];
+        const sph2d__mover *m = &g->movers[g->bodies[i].index];
         double start = product(m, g->start[i], g->start[i]) / 2;
         rise += product(m, motion_of(m), motion_of(m)) / 2 - start;
         energy += start;
@@ -187,7 +187,7 @@ static bool affordable(const group *g)
 static void relax_group(group *g)
 {
     for (size_t i = 0; i < g->body_count; ++i)
-        g->start[i] = motion_of(&g->movers[g->bodies[i]]);
+        g->start[i] = motion_of(&g->movers[g->bodies[i].index]);
     bool more = ask_for_more(g);
     sph2d__rows_solve(g->rows, g->row_count, g->movers);
     book_work(g, 0, 1);
@@ -208,10 +208,10 @@ static void relax_group(group *g)
 }
 
 /** Adds the work of a group's walls to that of all. */
-static void tell_work(sph2d__contacts *c, const group *g, const uint32_t *contacts)
+static void tell_work(sph2d__contacts *c, const group *g, const sph2d__member *contacts)
 {
     for (size_t k = 0; k < g->row_count; ++k) {
-        const sph2d__contact *contact = &c->contacts[contacts[k]];
+        const sph2d__contact *contact = &c->contacts[contacts[k].index];
         if (contact->b == c->body_count)
             c->wall_work[contact->wall_number] += g->work[k];
     }
@@ -229,6 +229,15 @@ static bool make_room(sph2d__contacts *c, group *g, size_t rows, size_t bodies)
     return g->movers && g->rows && g->should && g->work && g->start && g->must;
 }
 
+/** How many of the members from the first one on are of its group. */
+static size_t count_group(const sph2d__member *members, size_t most)
+{
+    size_t count = 0;
+    while (count < most && members[count].group == members[0].group)
+        ++count;
+    return count;
+}
+
 sph2d_status sph2d__relax(sph2d__contacts *c, const sph2d__groups *groups)
 {
     group g = {0};
@@ -239,17 +248,17 @@ sph2d_status sph2d__relax(sph2d__contacts *c, const sph2d__groups *groups)
         g.movers[i] = (sph2d__mover){b->velocity.x,     b->velocity.y,     b->rate,
                                      b->inverse_mass_x, b->inverse_mass_y, b->inverse_inertia};
     }
-    size_t body = 0, contact = 0;
-    for (size_t i = 0; i < groups->count; ++i) {
+    size_t body = 0;
+    for (size_t first = 0; first < c->contact_count; first += g.row_count) {
+        const sph2d__member *contacts = groups->contacts + first;
         g.bodies = groups->bodies + body;
-        g.body_count = groups->body_end[i] - body;
-        g.row_count = groups->contact_end[i] - contact;
+        g.body_count = count_group(g.bodies, groups->body_count - body);
+        g.row_count = count_group(contacts, c->contact_count - first);
         for (size_t k = 0; k < g.row_count; ++k)
-            prepare(&g.rows[k], &g.should[k], c, &c->contacts[groups->contacts[contact + k]], g.movers);
+            prepare(&g.rows[k], &g.should[k], c, &c->contacts[contacts[k].index], g.movers);
         relax_group(&g);
-        tell_work(c, &g, groups->contacts + contact);
-        body = groups->body_end[i];
-        contact = groups->contact_end[i];
+        tell_work(c, &g, contacts);
+        body += g.body_count;
     }
     for (uint32_t i = 0; i < c->body_count; ++i) {
         c->bodies[i].velocity = (sph2d_vec2){g.movers[i].vx, g.movers[i].vy};

@@ -207,7 +207,7 @@ sph2d_status sph2d__find_contacts(sph2d__contacts *c)
 {
     sph2d_status status = SPH2D_OK;
     for (uint32_t i = 0; i < c->body_count && status == SPH2D_OK; ++i)
-        status = with_sides(c, &c->placed[i]);
+        status = sph2d__moves(c, i) ? with_sides(c, &c->placed[i]) : SPH2D_OK;
     for (size_t i = 0; i < c->pair_count && status == SPH2D_OK; ++i) {
         sph2d__placed *a = &c->placed[c->pairs[i].a], *b = &c->placed[c->pairs[i].b];
         status = sph2d__cut(c, a);
