@@ -277,7 +277,11 @@ START_TEST(overlapping)
     w = two_discs(0);
     w->states[1].center.x = 0.4;
     w->states[0].velocity.x = w->states[1].velocity.x = 0;
+    uint32_t a = world_disc(w, 0.8, 0.0503, 0.05);
+    w->states[a].velocity.y = -1; /* what it loses at the floor is not theirs */
     world_step(w, false);
+    ck_assert_double_gt(w->states[a].velocity.y, -0.7);
+    w->states[a].velocity.y = 0;
     ck_assert_double_eq(world_kinetic(w), 0);
 }
 END_TEST

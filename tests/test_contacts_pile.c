@@ -61,6 +61,21 @@ START_TEST(pile)
 }
 END_TEST
 
+/** A box carries one a thousand times as heavy. */
+START_TEST(heavy)
+{
+    contact_world *w = world_new();
+    world_box(w, 0.5, 0.0502, 0.1, 0.1);
+    uint32_t a = world_box(w, 0.5, 0.1504, 0.1, 0.1);
+    w->states[a].inverse_mass_x = w->states[a].inverse_mass_y /= 1000;
+    w->states[a].inverse_inertia /= 1000;
+    world_run(w, 4000);
+    ck_assert_msg(w->overlap <= 0, "overlap %g", w->overlap);
+    ck_assert_double_eq_tol(w->states[a].center.y, 0.1504, 0.0005);
+    ck_assert_double_le(w->gain, 1e-12);
+}
+END_TEST
+
 /** Takes and gives back memory, so that what follows gets other addresses. */
 static void stir(void **kept, size_t count)
 {
@@ -162,6 +177,7 @@ Suite *suite_contacts_pile(void)
 {
     Suite *suite = suite_create("contacts_pile");
     TCase *tests = tcase_create("contacts_pile");
+    tcase_add_test(tests, heavy);
     tcase_add_test(tests, same_bits);
     tcase_add_test(tests, momentum);
     tcase_add_test(tests, pieces);

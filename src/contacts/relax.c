@@ -12,9 +12,8 @@
 #include "contacts/contacts.h"
 #include "contacts/rows.h"
 
-/* In a step what lacks of the clearance is made up by this part, of at most so much of it. */
+/* In a step what lacks of the clearance is made up by this part. */
 #define PUSH 0.2
-#define MOST_PUSH 0.1
 /* Slower than this part of sqrt(g size) nothing bounces; g is Earth's. */
 #define SLOW 0.05
 #define EARTH 9.81
@@ -122,7 +121,7 @@ static void prepare(sph2d__row *row, double *should, const sph2d__contacts *c, c
     sph2d__row_weigh(row, movers);
     double spare = contact->gap - c->clearance, speed = sph2d__row_separation(row, movers);
     row->least = fmin(0, -spare / c->dt);
-    *should = spare < 0 ? PUSH * fmin(-spare, MOST_PUSH * c->clearance) / c->dt : row->least;
+    *should = spare < 0 ? PUSH * -spare / c->dt : row->least;
     if (speed < -SLOW * sqrt(EARTH * contact->size) && spare + speed * c->dt < 0)
         *should = fmax(*should, -contact->restitution * speed);
 }
