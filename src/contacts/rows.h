@@ -35,7 +35,7 @@ double sph2d__row_slip(const sph2d__row *row, const sph2d__mover *movers);
 void sph2d__row_weigh(sph2d__row *row, const sph2d__mover *movers);
 
 /** Finds impulses and changes the velocities of movers by them, such that bodies separate at `least` or faster, are not
- *  pulled, and friction opposes slip. Returns the number of sweeps. */
-int sph2d__rows_solve(sph2d__row *rows, size_t count, sph2d__mover *movers);
+ *  pulled, and friction opposes slip. */
+void sph2d__rows_solve(sph2d__row *rows, size_t count, sph2d__mover *movers);
 
 #endif
