@@ -6,10 +6,7 @@
  *  (pairs.c), Chipmunk finds where their convex pieces (convex.h, pieces.c) are near (touch.c), bodies that hang together
  *  are grouped (groups.c), and impulses are found for each group (relax.c, rows.h).
  *
- *  Chipmunk's space is not used. It stops bodies once they overlap, and removes that by pseudo-velocities that are no
- *  part of the velocity; its bodies have the same mass along x and y; it depends on impulses of the last step; and it
- *  prints its version. Made anew in each step, with 60 iterations, a pile of 100 discs creeps into itself by 0.04 of a
- *  radius within 2 s, where what is here has no overlap, in the same time. */
+ *  Chipmunk's space is not used: docs/notes/contacts.md has what it would do. */
 #ifndef SPH2D_CONTACTS_CONTACTS_H
 #define SPH2D_CONTACTS_CONTACTS_H
 
