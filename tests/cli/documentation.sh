@@ -7,7 +7,7 @@ page=$SPH2D_ROOT/cli/sph2d.1
 
 for command in $("$SPH2D" --help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
     grep -q "^\.It Cm $command$" "$page" || fail "the man page has no '$command'"
-    "$SPH2D" $command --help | sed -n 's/^  .*--\([a-z-]*\).*/\1/p' >>options
+    "$SPH2D" "$command" --help | sed -n 's/^  .*--\([a-z-]*\).*/\1/p' >>options
 done
 sort -u options | while read -r option; do
     grep -q "Fl -$option\>" "$page" || fail "the man page has no --$option"

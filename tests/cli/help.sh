@@ -7,10 +7,10 @@ expect 0 "$SPH2D" --help && prints 'usage: sph2d COMMAND' && silent
 expect 0 "$SPH2D" -h
 expect 0 "$SPH2D" help
 for command in $("$SPH2D" --help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
-    expect 0 "$SPH2D" $command --help && prints "usage: sph2d $command"
-    expect 0 "$SPH2D" help $command && prints "usage: sph2d $command" && ! grep -q "(null)" out
+    expect 0 "$SPH2D" "$command" --help && prints "usage: sph2d $command"
+    expect 0 "$SPH2D" help "$command" && prints "usage: sph2d $command" && ! grep -q "(null)" out
     # before any other work
-    expect 0 "$SPH2D" $command --version && prints '^sph2d [0-9]'
+    expect 0 "$SPH2D" "$command" --version && prints '^sph2d [0-9]'
 done
 expect 0 "$SPH2D" --version
 prints '^sph2d [0-9]*\.[0-9]*\.[0-9]*$' && prints 'MIT' && prints '^HDF5 *[0-9]' && prints '^instruction sets *baseline'

@@ -23,7 +23,7 @@ int main(int argc, char **argv)
         status = sph2d_sim_create(sph2d_scene_file_scene(file), &options, &sim, &report);
     if (status == SPH2D_OK)
         status = sph2d_contacts_attach(sim);
-    for (long k = argc == 3 ? atol(argv[2]) : 0; k > 0 && status == SPH2D_OK; --k)
+    for (long k = argc == 3 ? strtol(argv[2], NULL, 10) : 0; k > 0 && status == SPH2D_OK; --k)
         status = sph2d_sim_step(sim, &report);
     if (status == SPH2D_OK) {
         const sph2d_view fluid = sph2d_sim_fluid(sim);

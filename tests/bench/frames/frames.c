@@ -102,12 +102,12 @@ int main(int argc, char **argv)
                   {"points, coloured", 1280, 720, SPH2D_STYLE_POINTS, true, NULL, 0, 0, 0},
                   {"metaballs", 1920, 1080, SPH2D_STYLE_METABALLS, false, NULL, 0, 0, 0}};
     const size_t count = sizeof rows / sizeof *rows;
-    frames = argc > 2 ? atoi(argv[2]) : frames;
-    rounds = argc > 3 ? atoi(argv[3]) : rounds;
+    frames = argc > 2 ? (int)strtol(argv[2], NULL, 10) : frames;
+    rounds = argc > 3 ? (int)strtol(argv[3], NULL, 10) : rounds;
     setenv("LP_NUM_THREADS", "0", 1); /* Mesa draws in the calling thread */
     char path[] = "/tmp/sph2d-frames-XXXXXX";
     const int file = mkstemp(path);
-    sph2d_sim *sim = make_dam(argc > 1 ? atof(argv[1]) : 16384);
+    sph2d_sim *sim = make_dam(argc > 1 ? strtod(argv[1], NULL) : 16384);
     bool ok = sim && file >= 0;
     for (size_t i = 0; i < count && ok; ++i) {
         sph2d_render_options options = sph2d_render_options_default();
