@@ -618,11 +618,11 @@ START_TEST(wrong_bodies_are_refused_with_their_place)
 }
 END_TEST
 
-/** The solid that a line becomes is in the way, and the hint says that it is one. */
-START_TEST(a_line_that_is_a_solid_is_in_the_way)
+/** Of a line that becomes a solid only the line is in the way of a body that starts: in play one is drawn where a body was. */
+START_TEST(a_line_that_is_a_solid_may_be_near)
 {
     static sph2d_report report;
-    static const sph2d_vec2 ends[] = {{0.5, 0.52}, {1, 0.52}}; /* a spacing above the raft */
+    static sph2d_vec2 ends[] = {{0.5, 0.52}, {1, 0.52}}; /* a spacing above the raft, in a solid of three */
     sph2d_obstacle shelf = sph2d_obstacle_default();
     shelf.shape = (sph2d_shape){.kind = SPH2D_SHAPE_LINE, .points = {ends, 2}};
     shelf.liquid = SPH2D_LIQUID_BOTH;
@@ -630,13 +630,10 @@ START_TEST(a_line_that_is_a_solid_is_in_the_way)
     pool.scene.obstacles = &shelf;
     pool.scene.obstacle_count = 1;
     sph2d_report_clear(&report);
+    ck_assert_msg(sph2d_scene_check(&pool.scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
+    ends[0].y = ends[1].y = 0.4;
     ck_assert_int_eq(sph2d_scene_check(&pool.scene, &report), SPH2D_SCENE);
     ck_assert_msg(test_report_has(&report, SPH2D_CODE_OVERLAP, "bodies[0]"), "%s", test_report_text(&report));
-    ck_assert_ptr_nonnull(strstr(test_report_text(&report), "starts in obstacles[0]"));
-    ck_assert_ptr_nonnull(strstr(report.items[0].hint, "makes a line a solid 0.12 m thick"));
-    shelf.liquid = SPH2D_LIQUID_LEFT;
-    sph2d_report_clear(&report);
-    ck_assert_msg(sph2d_scene_check(&pool.scene, &report) == SPH2D_OK, "%s", test_report_text(&report));
 }
 END_TEST
 
@@ -759,7 +756,7 @@ Suite *suite_bodies(void)
     tcase_add_test(tests, blows_are_energy_that_is_fed);
     tcase_add_test(tests, a_wall_is_built_where_a_body_started);
     tcase_add_loop_test(tests, wrong_bodies_are_refused_with_their_place, 0, 11);
-    tcase_add_test(tests, a_line_that_is_a_solid_is_in_the_way);
+    tcase_add_test(tests, a_line_that_is_a_solid_may_be_near);
     tcase_add_test(tests, checks_take_no_longer_with_the_tiniest_spacing);
     tcase_add_test(tests, mass_and_springs_far_from_their_body_are_told);
     tcase_add_test(tests, a_probe_of_a_body_says_what_is_none);

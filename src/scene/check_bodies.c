@@ -160,17 +160,27 @@ static double piece_of(const sph2d_scene *scene, const sph2d_shape *outline)
     return fmax(scene->spacing, 2 * SPH2D__PI * radius / MOST_PIECES);
 }
 
+/** A wall as the scene draws it: of a line that has become a solid only the line is in a body's way at the start, so that one
+ *  that is drawn later, where a body has been, leaves a scene that can be read. */
+static sph2d__wall as_drawn(const checker *c, size_t number)
+{
+    sph2d__wall wall = c->world->walls[number];
+    if (wall.kind == SPH2D__WALL_IS_OBSTACLE)
+        wall.shape = c->given->obstacles[wall.index].shape;
+    return wall;
+}
+
 /** Whether a body, which is wall `own`, overlaps wall `other`. */
 static bool overlaps(const checker *c, size_t own, size_t other)
 {
     const sph2d_scene *scene = c->scene;
     sph2d__pose start = {.cosine = 1};
-    const sph2d__wall *body = &c->world->walls[own], *wall = &c->world->walls[other];
-    const sph2d_box a = sph2d__shape_bounds(&body->shape), b = sph2d__shape_bounds(&wall->shape);
+    const sph2d__wall *body = &c->world->walls[own], wall = as_drawn(c, other);
+    const sph2d_box a = sph2d__shape_bounds(&body->shape), b = sph2d__shape_bounds(&wall.shape);
     if (a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y)
         return false;
-    double piece = fmax(piece_of(scene, &body->shape), piece_of(scene, &wall->shape));
-    return sph2d__walls_overlap(body, &start, wall, piece, DEPTH * scene->spacing);
+    double piece = fmax(piece_of(scene, &body->shape), piece_of(scene, &wall.shape));
+    return sph2d__walls_overlap(body, &start, &wall, piece, DEPTH * scene->spacing);
 }
 
 /** A body starts within the domain's walls and clear of obstacles and of the bodies before it. */
@@ -192,7 +202,7 @@ static void check_place(checker *c, size_t k)
         if (!overlaps(c, own, i))
             continue;
         snprintf(text, sizeof text, "starts in %s", sph2d__wall_path(other, sizeof other, &c->world->walls[i], ""));
-        sph2d__check_hint_wall(c, fault(c, k, SPH2D_CODE_OVERLAP, "", text), i, "move one of the two");
+        sph2d_diagnostic_hint(fault(c, k, SPH2D_CODE_OVERLAP, "", text), "move one of the two");
         return;
     }
 }
