@@ -118,15 +118,32 @@ static sph2d_status find_view(const particle_source *source, const frame_style *
 
 /* ---- the picture ------------------------------------------------------------------------------------------------- */
 
+/* Gives a style the colour of a liquid. */
+static frame_style with_fluid(frame_style style, const sph2d_fluid *fluid)
+{
+    style.tinted = sph2d_fluid_color(fluid, &style.tint);
+    return style;
+}
+
 frame_style frame_style_of_scene(const sph2d_scene *scene)
 {
-    return (frame_style){scene->run.frames, scene->name, scene->domain, scene->boundary, scene->spacing, false};
+    const frame_style style = {.frames = scene->run.frames,
+                               .name = scene->name,
+                               .domain = scene->domain,
+                               .boundary = scene->boundary,
+                               .spacing = scene->spacing};
+    return with_fluid(style, &scene->fluid);
 }
 
 frame_style frame_style_of_snapshot(const sph2d_snapshot *snapshot)
 {
-    sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
-    return (frame_style){info.frames, info.scene_name, info.domain, info.boundary, info.spacing, false};
+    const sph2d_snapshot_info info = sph2d_snapshot_get_info(snapshot);
+    const frame_style style = {.frames = info.frames,
+                               .name = info.scene_name,
+                               .domain = info.domain,
+                               .boundary = info.boundary,
+                               .spacing = info.spacing};
+    return with_fluid(style, &info.fluid);
 }
 
 static sph2d_status check_field(const char *name, const char *path, sph2d_report *report)
@@ -150,11 +167,18 @@ sph2d_status frame_style_check(const frame_style *style, sph2d_report *report)
 /* ---- arrays ------------------------------------------------------------------------------------------------------ */
 
 /* The arrays of a picture, one after the other in a block of all particles each. */
-enum { X, Y, VX, VY, VALUES, LEVELS, SORTED, ARRAYS };
+enum { X, Y, VX, VY, VALUES, LEVELS, COLORS, SORTED, ARRAYS };
 
 static double *array_of(const frame_buffers *buffers, int which, size_t count)
 {
     return buffers->block + (size_t)which * count;
+}
+
+/* Colours are whole numbers of the same size. */
+_Static_assert(sizeof(uint64_t) == sizeof(double), "colours are as large as other values");
+static uint64_t *colors_of(const frame_buffers *buffers, size_t count)
+{
+    return (uint64_t *)(void *)array_of(buffers, COLORS, count);
 }
 
 static bool reserve(frame_buffers *buffers, size_t count)
@@ -256,12 +280,26 @@ static sph2d_status set_isolines(const particle_source *source, const frame_styl
                         sizeof buffers->level_label, report);
 }
 
+/* Sets the particles' colours, if they have some. */
+static void set_colors(const particle_source *source, frame_buffers *buffers, sph2d_picture *picture)
+{
+    const sph2d_array *array =
+        source->snapshot ? sph2d_snapshot_array(source->snapshot, SPH2D_GROUP_FLUID, "Colors") : NULL;
+    const bool usable = array && array->type == SPH2D_U64 && array->stride == 1 && array->count == picture->count;
+    const uint64_t *colors = source->sim ? sph2d_sim_colors(source->sim) : usable ? array->data[0] : NULL;
+    if (!colors || picture->count == 0)
+        return;
+    memcpy(colors_of(buffers, picture->count), colors, picture->count * sizeof *colors);
+    picture->colors = colors_of(buffers, picture->count);
+}
+
 /* Copies the particles in front of walls alone; in their place, but for the positions. */
 static void cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph2d_picture *picture)
 {
     const sph2d_box box = front_of(style);
     const double *x = picture->x, *y = picture->y;
     double *arrays[ARRAYS];
+    uint64_t *colors = colors_of(buffers, picture->count);
     for (int k = 0; k < ARRAYS; ++k)
         arrays[k] = array_of(buffers, k, picture->count);
     size_t kept = 0;
@@ -278,6 +316,8 @@ static void cut_reservoirs(const frame_style *style, frame_buffers *buffers, sph
             arrays[VALUES][kept] = arrays[VALUES][i];
         if (picture->level_values)
             arrays[LEVELS][kept] = arrays[LEVELS][i];
+        if (picture->colors)
+            colors[kept] = colors[i];
         ++kept;
     }
     picture->count = kept;
@@ -355,6 +395,8 @@ static sph2d_status set_arrays(const particle_source *source, const frame_style 
     sph2d_status status = SPH2D_OK;
     if (style->frames.color)
         status = set_values(source, style, buffers, picture, report);
+    else
+        set_colors(source, buffers, picture);
     if (status == SPH2D_OK && (style->frames.arrows == SPH2D_SWITCH_ON || style->frames.streamlines == SPH2D_SWITCH_ON))
         status = set_velocities(source, style, buffers, picture, report);
     if (status == SPH2D_OK && style->frames.isolines)
@@ -387,6 +429,8 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
         .y = fluid.data[1],
         .spacing = style->spacing,
         .wall_thickness = wall_thickness(style),
+        .tinted = style->tinted,
+        .tint = style->tint,
     };
     if (style->frames.caption != SPH2D_SWITCH_OFF)
         set_caption(source, style, buffers, picture);

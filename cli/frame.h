@@ -5,6 +5,8 @@
 #ifndef SPH2D_CLI_FRAME_H
 #define SPH2D_CLI_FRAME_H
 
+#include <stdint.h>
+
 #include <sph2d/render.h>
 
 #include "frame_field.h"
@@ -16,6 +18,8 @@ typedef struct frame_style {
     sph2d_box domain; /**< [m] */
     sph2d_boundary boundary;
     double spacing;  /**< [m] */
+    bool tinted;     /**< liquid has a colour: its own, or its material's ... */
+    uint32_t tint;   /**< ... which is this, 0xRRGGBB */
     bool full_range; /**< colours that have no range go from the smallest value to the largest, not from the 1st to the
                           99th percentile */
 } frame_style;

@@ -17,7 +17,8 @@ uniform float line_width;   // [px]
 uniform float texel;        // side of a square of the depth's grid [px]
 uniform float margin;       // how many of them lie beside the image
 uniform ivec2 last;         // column and row of pixels
-uniform bool colored;       // by the particles' colours
+uniform bool colored;       // by the particles' colours: of values or, where `tint` says so, of the liquid
+uniform vec4 tint;          // the colour of all liquid, and whether liquid has colours
 uniform bool charted;       // look INK: with lines of equal depth
 
 layout(location = 0) out vec4 color;
@@ -37,6 +38,12 @@ vec3 mean_color()
 {
     vec4 sum = textureLod(colors, 0.5 * gl_FragCoord.xy / vec2(textureSize(colors, 0)), 0.0);
     return sum.rgb / max(sum.a, 1.0e-4);
+}
+
+// That, or the colour of all liquid, or what the look has.
+vec3 plain_color(vec3 own)
+{
+    return colored ? mean_color() : tint.a > 0.0 ? tint.rgb : own;
 }
 
 #ifdef INSIDE
@@ -144,9 +151,15 @@ vec4 look(ivec2 here, float f)
     float diffuse = 0.5 + 0.5 * dot(normal, to_light); // no side is quite dark: light comes through water
     float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 60.0);
     float covered = cover(f, field_rise(here));
-    if (colored) // little light, so that colours are those of the colour bar
+    if (colored && tint.a == 0.0) // little light, so that colours are those of the colour bar
         return vec4(mean_color() * (0.74 + 0.3 * diffuse) + 0.12 * gloss, covered);
-    vec3 lit = mix(shallow, deep, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
+    vec3 high = shallow, low = deep;
+    if (tint.a > 0.0) {
+        vec3 plain = plain_color(deep);
+        high = mix(plain, vec3(1.0), 0.25);
+        low = 0.85 * plain;
+    }
+    vec3 lit = mix(high, low, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
     return vec4(lit, covered);
 }
 
@@ -160,8 +173,7 @@ vec4 look(ivec2 here, float f)
 {
     vec2 rise = field_rise(here), border = surface(f, rise);
     float edge = border.y * clamp(line_width + 0.5 - border.x, 0.0, 1.0);
-    vec3 plain = colored ? mean_color() : paint;
-    return vec4(plain * (1.0 - 0.3 * edge), cover(f, rise));
+    return vec4(plain_color(paint) * (1.0 - 0.3 * edge), cover(f, rise));
 }
 
 #endif
@@ -183,12 +195,13 @@ vec4 look(ivec2 here, float f)
     float gathered = dot(bent.xy, to_light.xy); // below 0 at the side of the light
     float mirrored = pow(1.0 - normal.z, 2.0);
     float gloss = pow(max(dot(normal, normalize(to_light + to_viewer)), 0.0), 90.0);
-    vec3 plain = colored ? mean_color() : mix(thin, thick, inside);
-    vec3 dark = colored ? 0.4 * plain : shade;
+    bool own = !colored && tint.a == 0.0;
+    vec3 plain = plain_color(mix(thin, thick, inside));
+    vec3 dark = own ? shade : 0.4 * plain;
     vec3 lit = gathered < 0.0 ? mix(plain, dark, -1.4 * gathered) : mix(plain, vec3(1.0), 1.1 * gathered);
     float edge = border.y * clamp(0.6 * line_width + 0.5 - border.x, 0.0, 1.0);
     lit = mix(lit, vec3(1.0), 0.35 * mirrored) * (1.0 - 0.3 * edge) + gloss;
-    float opaque = mix(colored ? 0.9 : 0.6, 0.9, max(max(inside, edge), max(gloss, mirrored)));
+    float opaque = mix(own ? 0.6 : 0.9, 0.9, max(max(inside, edge), max(gloss, mirrored)));
     return vec4(clamp(lit, 0.0, 1.0), cover(f, rise) * opaque);
 }
 
@@ -216,7 +229,7 @@ vec4 look(ivec2 here, float f)
         float part = float(k) / 4.0;
         below = max(below, (0.75 - 0.6 * part) * level_line(around.z, 0.66 + 0.32 * part, change, 0.5 * wide));
     }
-    vec3 paper = colored ? mean_color() : mix(vec3(1.0), vec3(0.86, 0.91, 0.95), around.z);
+    vec3 paper = plain_color(mix(vec3(1.0), vec3(0.86, 0.91, 0.95), around.z));
     return vec4(mix(paper, ink, max(line, below)), cover(f, rise));
 }
 

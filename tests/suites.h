@@ -69,6 +69,7 @@
     X(rheology)                                                                                                        \
     X(sources)                                                                                                         \
     X(edit)                                                                                                            \
+    X(colors)                                                                                                          \
     X(steering)                                                                                                        \
     X(twins)                                                                                                           \
     X(scene_keys)                                                                                                      \

@@ -216,7 +216,7 @@ static void set_max_iterations(stage *s)
 static void set_particles(stage *s)
 {
     s->block = test_block(0, 0, 1, 0.95);
-    s->particle = (sph2d_particle){0.525, 0.975, 0, 0, 1000};
+    s->particle = (sph2d_particle){0.525, 0.975, 0, 0, 1000, 0};
     s->scene.particles = (sph2d_particles){NULL, &s->particle, 1};
 }
 

@@ -119,7 +119,7 @@ START_TEST(liquid_inside_the_floor_is_let_out_gently)
     tank_empty(both[_i], DX, H, 0.6, 1e-3);
     tank.scene.method.sound_speed = both[_i] == SPH2D_METHOD_PCISPH ? sqrt(20 * G * H) : sqrt(200 * G * H);
     for (int i = 0; i < 225; ++i)
-        tank.particles[i] = (sph2d_particle){(i % 15 + 0.5) * DX, (i / 15 + 1e-4) * DX, 0, 0, 1000};
+        tank.particles[i] = (sph2d_particle){(i % 15 + 0.5) * DX, (i / 15 + 1e-4) * DX, 0, 0, 1000, 0};
     tank.scene.particles = (sph2d_particles){NULL, tank.particles, 225};
     tank_start();
     if (both[_i] == SPH2D_METHOD_PCISPH) /* the other takes the density that it is given */

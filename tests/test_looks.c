@@ -129,6 +129,45 @@ START_TEST(flat_is_one_color_with_an_edge)
 }
 END_TEST
 
+/** Liquid of one colour has its hue in every look, and of several that of what is near; where two meet it is between. */
+START_TEST(liquid_has_its_colors)
+{
+    const sph2d_look look = (sph2d_look)_i;
+    pool *p = make_pool();
+    static uint64_t colors[100 * 30 + 1];
+    for (int i = 0; i < 100 * 30; ++i)
+        colors[i] = i % 100 < 50 ? 0xc02020 : 0x20c020;
+    colors[100 * 30] = 0x2020c0;
+    p->picture.colors = colors;
+    unsigned char *several = draw_look(NULL, look, &p->picture);
+    const unsigned char *left = at(several, 0.25, 0.15), *right = at(several, 0.75, 0.15),
+                        *both = at(several, 0.5, 0.15);
+    const unsigned char *drop = at(several, 0.8, 0.5);
+    ck_assert(left[0] > 2 * left[1] && left[0] > 2 * left[2]);
+    ck_assert(right[1] > 2 * right[0] && right[1] > 2 * right[2]);
+    ck_assert(drop[2] > drop[0] && drop[2] > drop[1]);
+    ck_assert(both[0] < left[0] - 20 && both[0] > right[0] + 20 && both[1] > left[1] + 20 && both[1] < right[1] - 20);
+    p->picture.colors = NULL;
+    p->picture.tinted = true;
+    p->picture.tint = 0xc02020;
+    unsigned char *one = draw_look(NULL, look, &p->picture);
+    for (int k = 0; k < 4; ++k) /* as where all particles around have it; blending rounds */
+        ck_assert_int_le(abs(at(one, 0.25, 0.15)[k] - left[k]), 2);
+    ck_assert_mem_eq(at(one, 1.1, 0.5), at(several, 1.1, 0.5), 4);
+    static double values[100 * 30 + 1];
+    p->picture.values = values; /* which are what colours stand for then */
+    unsigned char *valued = draw_look(NULL, look, &p->picture);
+    p->picture.tinted = false;
+    unsigned char *plain = draw_look(NULL, look, &p->picture);
+    ck_assert_mem_eq(valued, plain, BYTES);
+    free(several);
+    free(one);
+    free(valued);
+    free(plain);
+    free(p);
+}
+END_TEST
+
 /** More of the background comes through where there is less liquid. */
 START_TEST(glass_is_translucent)
 {
@@ -264,6 +303,7 @@ Suite *suite_looks(void)
     tcase_add_test(cases, glass_is_translucent);
     tcase_add_test(cases, ink_is_a_line_on_paper);
     tcase_add_test(cases, values_color_every_look);
+    tcase_add_loop_test(cases, liquid_has_its_colors, SPH2D_LOOK_WATER, SPH2D_LOOK_INK + 1);
     tcase_add_test(cases, shaders_compile_for_browsers);
     suite_add_tcase(suite, cases);
     return suite;

@@ -134,7 +134,7 @@ START_TEST(momentum_from_nothing_is_seen_while_particles_come)
     sph2d_report report = {0};
     sph2d_status status = SPH2D_OK;
     for (int k = 0; k < 64 && status == SPH2D_OK; ++k) {
-        const sph2d_particle drop = {0.1 + 0.1 * (k % 8), 0.5 + 0.05 * (k / 8), 0, 0, 0};
+        const sph2d_particle drop = {0.1 + 0.1 * (k % 8), 0.5 + 0.05 * (k / 8), 0, 0, 0, 0};
         ck_assert_int_eq(sph2d_sim_add_particles(sim, &drop, 1, NULL), SPH2D_OK);
         status = sph2d_sim_step(sim, &report);
     }
@@ -169,7 +169,7 @@ START_TEST(particles_in_one_place_are_counted)
     const double x[] = {0.2, 0.229, 0.6, 0.631, 1.2, 1.2, 1.215};
     sph2d_particle particles[7];
     for (int i = 0; i < 7; ++i)
-        particles[i] = (sph2d_particle){x[i], i == 5 ? 0.51 : 0.5, 0, 0, 1000};
+        particles[i] = (sph2d_particle){x[i], i == 5 ? 0.51 : 0.5, 0, 0, 1000, 0};
     scene.particles = (sph2d_particles){NULL, particles, 7};
     sph2d_sim *sim = test_create(&scene, NULL);
     ck_assert_uint_eq(sph2d_sim_summary(sim).paired, 5); /* 0.29 spacings are near, 0.31 are not */

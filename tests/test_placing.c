@@ -165,7 +165,7 @@ END_TEST
 
 START_TEST(single_particles_are_placed_as_they_are)
 {
-    static const sph2d_particle items[2] = {{0.7, 0.5, 1, -2, 1003}, {0.71, 0.5, 3, 4, 999}};
+    static const sph2d_particle items[2] = {{0.7, 0.5, 1, -2, 1003, 0}, {0.71, 0.5, 3, 4, 999, 0}};
     scene.particles = (sph2d_particles){NULL, items, 2};
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE); /* no sound speed */
     ck_assert(test_report_has(&report, SPH2D_CODE_MISSING_KEY, "particles"));

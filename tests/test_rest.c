@@ -275,7 +275,7 @@ START_TEST(single_particles_come_to_rest_on_the_floor)
     tank_empty(both[_i], DX, 0.6, 0.2, 1e-3);
     tank.scene.method.sound_speed = 10;
     for (int i = 0; i < 10; ++i)
-        tank.particles[i] = (sph2d_particle){0.04 + i * (i < 5 ? 2 : 3) * DX, DX / 2, 0, 0, 1000};
+        tank.particles[i] = (sph2d_particle){0.04 + i * (i < 5 ? 2 : 3) * DX, DX / 2, 0, 0, 1000, 0};
     tank.scene.particles = (sph2d_particles){NULL, tank.particles, 10};
     tank_start();
     tank_run_until(3);

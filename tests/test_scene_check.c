@@ -424,7 +424,7 @@ START_TEST(a_wall_that_slides_along_itself_blows_at_nothing)
                  {0.4, -0.2, 0.6, 0, "by 0.5 m/s at t = 0 s"},
                  {0.4, 0.2, 0, 0, "by 0.5 m/s at t = 0.4 s"},
                  {0.4, 0, 0, 0.5, "by 0.5"}};
-    sph2d_particle drop = {1, 1.5, 0, 0, 1000};
+    sph2d_particle drop = {1, 1.5, 0, 0, 1000, 0};
     for (int k = 0; k < 5; ++k) {
         const int way_of = k < 4 ? k : 0; /* the last time liquid may be anywhere */
         way[1] = (sph2d_pose_point){cases[way_of].time, cases[way_of].x, cases[way_of].y, cases[way_of].angle};

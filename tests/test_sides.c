@@ -283,7 +283,7 @@ END_TEST
 
 START_TEST(a_particle_within_a_tenth_of_a_spacing_of_a_wall_is_refused)
 {
-    sph2d_particle one = {0.2 + (_i ? 0.12 : 0.08) * DX, 0.45, 0, 0, 1000}; /* 0.5 more to the first layer */
+    sph2d_particle one = {0.2 + (_i ? 0.12 : 0.08) * DX, 0.45, 0, 0, 1000, 0}; /* 0.5 more to the first layer */
     scene.method.sound_speed = 40;
     scene.particles = (sph2d_particles){NULL, &one, 1};
     sph2d_plan plan;

@@ -62,8 +62,10 @@ START_TEST(only_the_arrays_of_the_set_are_there)
     ck_assert_ptr_null(store.shift_x);
     ck_assert_ptr_nonnull(store.shift_y);
     size_t length = store.capacity + SPH2D__PADDING;
-    ck_assert_uint_eq(memory.bytes, length * sph2d__store_bytes(store.has));
-    ck_assert_uint_eq(sph2d__store_bytes(SPH2D__STORE_BASIC), (4 + 1) * sizeof(double) + sizeof(uint64_t));
+    ck_assert_uint_eq(memory.bytes, length * sph2d__store_bytes(&store));
+    const sph2d__store basic = {.has = SPH2D__STORE_BASIC}, colored = {.has = SPH2D__STORE_BASIC, .colored = true};
+    ck_assert_uint_eq(sph2d__store_bytes(&basic), (4 + 1) * sizeof(double) + sizeof(uint64_t));
+    ck_assert_uint_eq(sph2d__store_bytes(&colored), (4 + 1) * sizeof(double) + 2 * sizeof(uint64_t));
 }
 END_TEST
 

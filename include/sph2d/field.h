@@ -36,6 +36,10 @@ SPH2D_API size_t sph2d_field_count(sph2d_group group);
  *  count 0 and data NULL. `index` must be below sph2d_field_count(group), else an array without name is returned. */
 SPH2D_API sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index);
 
+/** The colour of each particle of liquid, 65536 red + 256 green + blue, in the order of the fields, valid until the next
+ *  change; NULL for NULL, and where the scene gives no colour (sph2d_fluid), so that all have one. */
+SPH2D_API const uint64_t *sph2d_sim_colors(const sph2d_sim *sim);
+
 /** The vorticity dv_y/dx - dv_x/dy at each of `count` particles of liquid [1/s]: that of the linear functions that fit the
  *  velocities of the particles within three spacings best, by weighted least squares, so that it is exact for linear
  *  velocities, also at surfaces and walls. NaN where this does not exist: at a particle that has no others around it or

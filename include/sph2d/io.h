@@ -137,7 +137,8 @@ typedef struct sph2d_snapshot_info {
     /** Sound speed c0 [m/s]. */
     double sound_speed;
 
-    /** Frames of the run; `color` is valid as long as the snapshot. */
+    /** The liquid, and frames of the run; their strings are valid as long as the snapshot. */
+    sph2d_fluid fluid;
     sph2d_frames frames;
 } sph2d_snapshot_info;
 

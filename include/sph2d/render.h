@@ -109,6 +109,16 @@ typedef struct sph2d_picture {
      *  both of its ends are 0. Default false: from dark blue over green to yellow. */
     bool diverging;
 
+    /** One colour per particle, 65536 red + 256 green + blue, unless there are values; NULL: all have one. Metaballs have
+     *  the mean of what is near. */
+    const uint64_t *colors;
+
+    /** Whether there is a colour for all of them, unless there are values or colours; default false: that of the look. */
+    bool tinted;
+
+    /** This colour, 65536 red + 256 green + blue. */
+    uint32_t tint;
+
     /** Text at the colour bar, "speed [m/s]"; NULL for none. */
     const char *value_label;
 

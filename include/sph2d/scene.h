@@ -155,6 +155,9 @@ typedef struct sph2d_material_data {
      *  part of it. */
     sph2d_rheology model;
     double consistency, index, yield_stress, infinite_viscosity, relaxation_time;
+
+    /** In pictures, as sph2d_color_parse() reads it; NULL: as the look has water. */
+    const char *color;
 } sph2d_material_data;
 
 /** The liquid. */
@@ -196,6 +199,10 @@ typedef struct sph2d_fluid {
     /** Surface tension [N/m], >= 0; default 0: none. All methods but wcsph with fitted operators. Surfaces meet layered
      *  walls at a right angle; other walls are not wetted. */
     double surface_tension;
+
+    /** Colour in pictures, "red" or "#ff0000" (sph2d_color_parse); default NULL: the material's, or that of the look. Where
+     *  this, or a block, source or opening, has one, each particle keeps a colour of its own, the field "Colors". */
+    const char *color;
 } sph2d_fluid;
 
 /** The solver and its parameters. A method rejects options that it does not have, unless they are at their default. */
@@ -361,6 +368,9 @@ typedef struct sph2d_block {
 
     /** Random displacement of its particles; default none. */
     sph2d_perturb perturb;
+
+    /** Colour of its particles, as sph2d_fluid has it; default NULL: the fluid's. */
+    const char *color;
 } sph2d_block;
 
 /** A fluid particle at the start. */
@@ -374,12 +384,16 @@ typedef struct sph2d_particle {
     /** Density [kg/m^3], > 0; 0: that of the pressure by the scene's `start`, or else the rest density. muller computes
      *  its own. */
     double density;
+
+    /** Colour, 0xRRGGBB as a number (sph2d_color_parse), up to 0xffffff; default 0: the fluid's, as in all scenes where
+     *  nothing gives one. */
+    double color;
 } sph2d_particle;
 
 /** Individual particles, besides those of blocks. Their mass is that of the scene's spacing. The sound speed is not
  *  derived from them: the method must give it. */
 typedef struct sph2d_particles {
-    /** A CSV file with columns x, y and perhaps vx, vy, density (defaults 0), which only sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
+    /** A CSV file with columns x, y and perhaps vx, vy, density, color (defaults 0), which only sph2d_scene_file_read() reads: a run is resumed without it. NULL: none. */
     const char *file;
 
     /** The particles, borrowed. */
@@ -414,6 +428,9 @@ typedef struct sph2d_source {
 
     /** Seed of the random spread; default 1. */
     uint64_t seed;
+
+    /** Colour of its liquid, as sph2d_fluid has it; default NULL: the fluid's. */
+    const char *color;
 } sph2d_source;
 
 /** An area where particles are removed, and counted. */
@@ -528,6 +545,9 @@ typedef struct sph2d_opening {
      *  that of as much. The least depth is that at which its velocity is critical, sqrt(g depth), or half its width if
      *  that is less. Default off. */
     sph2d_switch free_surface;
+
+    /** Colour of liquid that comes in through it, as sph2d_fluid has it; default NULL: the fluid's. */
+    const char *color;
 } sph2d_opening;
 
 /** A point of a motion's path: where the body is at a time. */
@@ -995,6 +1015,16 @@ SPH2D_API sph2d_body sph2d_body_default(void);
 SPH2D_API sph2d_spring sph2d_spring_default(void);
 SPH2D_API sph2d_interaction sph2d_interaction_default(void);
 SPH2D_API sph2d_probe sph2d_probe_default(void);
+
+/** Reads a colour into 0xRRGGBB: a name, or "#rrggbb" with six hexadecimal digits. False, with `rgb` as it was, for any
+ *  other text or NULL. */
+SPH2D_API bool sph2d_color_parse(const char *text, uint32_t *rgb);
+
+/** The names of colours, from 0 on, those of CSS; NULL behind the last. Static storage. */
+SPH2D_API const char *sph2d_color_name(size_t index);
+
+/** The colour of a liquid, 0xRRGGBB: its own, or its material's. False, with `rgb` as it was, where there is none. */
+SPH2D_API bool sph2d_fluid_color(const sph2d_fluid *fluid, uint32_t *rgb);
 
 /** The table of materials, by sph2d_material; static storage. `count` may be NULL. */
 SPH2D_API const sph2d_material_data *sph2d_materials(size_t *count);

@@ -61,14 +61,18 @@ static const char *refuse_density(const sph2d_table *table, size_t row)
     return wrong ? "a density must be above 0" : NULL;
 }
 
-_Static_assert(sizeof(sph2d_particle) == 5 * sizeof(double), "particles are read as doubles");
+_Static_assert(sizeof(sph2d_particle) == 6 * sizeof(double), "particles are read as doubles");
 static const sph2d__table_kind particles_table = {
     .key = "particles",
     .file = offsetof(sph2d_particles, file),
-    .columns =
-        {{"x", "m", false}, {"y", "m", false}, {"vx", "m/s", true}, {"vy", "m/s", true}, {"density", "kg/m^3", true}},
-    .column_count = 5,
-    .lists = {{NULL, offsetof(sph2d_particles, items), 5}},
+    .columns = {{"x", "m", false},
+                {"y", "m", false},
+                {"vx", "m/s", true},
+                {"vy", "m/s", true},
+                {"density", "kg/m^3", true},
+                {"color", "", true}},
+    .column_count = 6,
+    .lists = {{NULL, offsetof(sph2d_particles, items), 6}},
     .take = take_particles,
     .refuse = refuse_density,
 };

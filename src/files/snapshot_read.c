@@ -247,6 +247,7 @@ static void read_metadata(sph2d__h5_reader *r, sph2d_snapshot *s)
     info->domain = scene->domain;
     info->boundary = scene->boundary;
     info->spacing = scene->spacing;
+    info->fluid = scene->fluid;
     info->frames = scene->run.frames;
     info->method = sph2d__h5_get_text(r, SPH2D__GROUP_PARAMETERS, "method.name");
     info->code_version = sph2d__h5_get_text(r, SPH2D__GROUP_CODE, SPH2D__AT_CODE_VERSION);

@@ -24,7 +24,7 @@ static void list_reals(sph2d__store *store, double **slots[SPH2D__STORE_COUNT])
 #undef SLOT
 }
 
-enum { MAX_BLOCKS = SPH2D__STORE_COUNT + 2 };
+enum { MAX_BLOCKS = SPH2D__STORE_COUNT + 3 };
 
 /** Lists the blocks of the store, which are grown and freed together. Returns their number. */
 static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[MAX_BLOCKS])
@@ -37,15 +37,17 @@ static size_t list_blocks(sph2d__store *store, sph2d__growth blocks[MAX_BLOCKS])
             blocks[n++] = (sph2d__growth){slots[a], sizeof(double)};
     blocks[n++] = (sph2d__growth){&store->scratch, sizeof(double)};
     blocks[n++] = (sph2d__growth){&store->id, sizeof(uint64_t)};
+    if (store->colored)
+        blocks[n++] = (sph2d__growth){&store->color, sizeof(uint64_t)};
     return n;
 }
 
-size_t sph2d__store_bytes(sph2d__set has)
+size_t sph2d__store_bytes(const sph2d__store *store)
 {
     size_t arrays = 1;
     for (int a = 0; a < SPH2D__STORE_COUNT; ++a)
-        arrays += has >> a & 1;
-    return arrays * sizeof(double) + sizeof(uint64_t);
+        arrays += store->has >> a & 1;
+    return arrays * sizeof(double) + (store->colored ? 2 : 1) * sizeof(uint64_t);
 }
 
 bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t capacity)
@@ -86,7 +88,21 @@ size_t sph2d__store_add(sph2d__store *store, uint64_t id, double x, double y)
     store->x[i] = x;
     store->y[i] = y;
     store->id[i] = id;
+    if (store->colored)
+        store->color[i] = 0;
     return i;
+}
+
+/** Reorders an array of whole numbers, which changes places with the scratch array. */
+static void reorder_counts(sph2d__store *store, uint64_t **array, const uint32_t *order)
+{
+    const size_t count = store->count;
+    uint64_t *from = *array, *to = store->scratch;
+#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN)
+    for (size_t k = 0; k < count; ++k)
+        to[k] = from[order[k]];
+    *array = to;
+    store->scratch = from;
 }
 
 void sph2d__store_reorder(sph2d__store *store, const uint32_t *order)
@@ -105,12 +121,9 @@ void sph2d__store_reorder(sph2d__store *store, const uint32_t *order)
         *slots[a] = to;
         store->scratch = from;
     }
-    uint64_t *from = store->id, *to = store->scratch;
-#pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN)
-    for (size_t k = 0; k < count; ++k)
-        to[k] = from[order[k]];
-    store->id = to;
-    store->scratch = from;
+    reorder_counts(store, &store->id, order);
+    if (store->colored)
+        reorder_counts(store, &store->color, order);
 }
 
 /** Moves the values without a flag to the front of an array. */
@@ -131,6 +144,8 @@ void sph2d__store_remove(sph2d__store *store, const unsigned char *flags)
         if (store->has >> a & 1)
             keep(*slots[a], sizeof(double), store->count, flags);
     keep(store->id, sizeof(uint64_t), store->count, flags);
+    if (store->colored)
+        keep(store->color, sizeof(uint64_t), store->count, flags);
     size_t kept = 0;
     for (size_t i = 0; i < store->count; ++i)
         kept += !flags[i];

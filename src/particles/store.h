@@ -90,11 +90,13 @@ typedef struct sph2d__store {
     SPH2D__STORE_REALS(SPH2D__STORE_MEMBER)
 #undef SPH2D__STORE_MEMBER
     uint64_t *id;
+    uint64_t *color; /**< 0xRRGGBB; only where `colored`, which is constant, too */
+    bool colored;
     void *scratch; /**< target of a reordering, then swapped with its source */
 } sph2d__store;
 
-/** Bytes per particle in a store of these arrays. */
-size_t sph2d__store_bytes(sph2d__set has);
+/** Bytes per particle in a store. */
+size_t sph2d__store_bytes(const sph2d__store *store);
 
 /** Reserves memory for at least `capacity` particles; the contents are kept. */
 bool sph2d__store_reserve(sph2d__store *store, sph2d__memory *memory, size_t capacity);

@@ -49,6 +49,8 @@ static void color_dot(const sph2d__dot_list *list, size_t i, unsigned char color
         sph2d__colormap((list->values[i] - list->value_min) / span, list->diverging, color);
     else
         memcpy(color, list->color, sizeof list->color);
+    if (list->colors && !list->values)
+        sph2d__color_split(list->colors[i], color);
 }
 
 void sph2d__dots_fill(const sph2d__gl *gl, sph2d__dots *dots, const sph2d__view *view, const sph2d__dot_list *list)

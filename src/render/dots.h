@@ -26,7 +26,8 @@ typedef struct sph2d__dot_list {
     size_t count;
     const double *x, *y;    /**< [m] */
     double reach;           /**< radius of the figures [px]; those entirely outside the image are skipped */
-    unsigned char color[4]; /**< of all particles, if there are no values */
+    unsigned char color[4]; /**< of all particles, if there are neither */
+    const uint64_t *colors; /**< one a particle, if there are no values; NULL for none */
     const double *values;   /**< one a particle, coloured from `value_min` to `value_max`; NULL for none */
     double value_min, value_max;
     bool diverging; /**< the colours of sph2d__colormap() */
@@ -39,6 +40,13 @@ typedef struct sph2d__raster {
     int margin;   /**< so many of them lie beside the image, on each side */
     int parts;    /**< a texel has the values at the middles of so many squares by so many */
 } sph2d__raster;
+
+/** Red, green and blue of 65536 red + 256 green + blue. */
+static inline void sph2d__color_split(uint64_t color, unsigned char parts[3])
+{
+    for (int k = 0; k < 3; ++k)
+        parts[k] = (unsigned char)(color >> (16 - 8 * k) & 255);
+}
 
 /** Errors: SPH2D_RENDER. */
 sph2d_status sph2d__dots_create(const sph2d__gl *gl, sph2d__dots *dots, sph2d_report *report);

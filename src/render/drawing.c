@@ -131,10 +131,14 @@ static void draw_background(const sph2d__drawing *self, const sph2d_picture *pic
 
 static sph2d__dot_list fluid_of(const sph2d_picture *picture, const sph2d__layout *at)
 {
+    unsigned char color[3] = {26, 112, 176};
+    if (picture->tinted)
+        sph2d__color_split(picture->tint, color);
     return (sph2d__dot_list){.count = picture->count,
                              .x = picture->x,
                              .y = picture->y,
-                             .color = {26, 112, 176, 255},
+                             .color = {color[0], color[1], color[2], 255},
+                             .colors = picture->colors,
                              .values = picture->values,
                              .value_min = at->min,
                              .value_max = at->max,

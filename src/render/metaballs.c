@@ -249,7 +249,7 @@ sph2d_status sph2d__metaballs_sum(const sph2d__gl *gl, sph2d__metaballs *balls, 
                                   const sph2d__view *view, sph2d__dot_list list, const sph2d_picture *picture,
                                   uint64_t walls_mark, sph2d_report *report)
 {
-    const bool colored = list.values;
+    const bool colored = list.values || list.colors;
     const bool ready = balls->field.framebuffer && balls->colored == colored;
     const sph2d_status status = ready ? SPH2D_OK : create_field(gl, balls, colored, report);
     if (status != SPH2D_OK)
@@ -284,7 +284,12 @@ static void shade_tiles(const sph2d__gl *gl, const sph2d__metaballs *balls, cons
     sph2d__program_set_int(gl, program, "depth", DEPTH);
     sph2d__program_set_int(gl, program, "walls", WALLS);
     gl->Uniform2i(gl->GetUniformLocation(program, "last"), balls->width - 1, balls->height - 1);
-    sph2d__program_set_int(gl, program, "colored", picture->values != NULL);
+    sph2d__program_set_int(gl, program, "colored", picture->values || picture->colors);
+    unsigned char tint[3];
+    sph2d__color_split(picture->tint, tint);
+    const bool tinted = !picture->values && (picture->colors || picture->tinted);
+    gl->Uniform4f(gl->GetUniformLocation(program, "tint"), (float)tint[0] / 255.0F, (float)tint[1] / 255.0F,
+                  (float)tint[2] / 255.0F, tinted ? 1.0F : 0.0F);
     sph2d__program_set_int(gl, program, "charted", !picture->values && !picture->level_values);
     sph2d__program_set_float(gl, program, "radius", balls->radius);
     sph2d__program_set_float(gl, program, "threshold", threshold);

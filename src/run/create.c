@@ -11,6 +11,7 @@
 #include "methods/wcsph/wcsph.h"
 #include "probes/probes.h"
 #include "run/run.h"
+#include "scene/colors.h"
 #include "scene/frame.h"
 #include "scene/liquid.h"
 #include "scene/method_table.h"
@@ -88,6 +89,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     sph2d__set walls = sim->method->walls & ~(lengths ? 0 : friction);
     s->walls.carried = walls;
     s->fluid.has = sim->method->fluid & ~unused;
+    s->fluid.colored = sph2d__has_colors(scene);
     s->walls.has = walls;
     s->fluid_cells.period = s->wall_cells.period =
         (sph2d__period){box->min.x, box->min.y, sph2d__period_x(scene), sph2d__period_y(scene)};
@@ -197,6 +199,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     if (!state && sph2d__sim_is_too_large(sim, report))
         return SPH2D_SCENE;
+    if (state && sph2d__state_has_colors(state)) /* of particles whose file is not there any more, too */
+        sim->system.fluid.colored = true;
     sim->threads = options->threads;
     sph2d__prepare_threads();
     status = allocate_arrays(sim);

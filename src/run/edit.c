@@ -23,7 +23,9 @@ static void add_one(sph2d_sim *sim, const sph2d_particle *p)
 {
     sph2d__store *fluid = &sim->system.fluid;
     double rest = sim->world.scene.fluid.density;
-    size_t i = sph2d__store_add(fluid, sim->record.next_id++, p->x, p->y);
+    size_t i = sph2d__sim_add_liquid(sim, (sph2d_vec2){p->x, p->y}, NULL);
+    if (fluid->colored && p->color > 0)
+        fluid->color[i] = (uint64_t)p->color;
     fluid->density[i] = p->density > 0 ? p->density : rest;
     fluid->vx[i] = p->vx;
     fluid->vy[i] = p->vy;
@@ -35,7 +37,7 @@ static void add_one(sph2d_sim *sim, const sph2d_particle *p)
 static bool is_particle(const sph2d_particle *p)
 {
     return isfinite(p->x) && isfinite(p->y) && isfinite(p->vx) && isfinite(p->vy) && p->density >= 0 &&
-           isfinite(p->density);
+           isfinite(p->density) && sph2d__is_color(p->color);
 }
 
 /** Makes the simulation as it is between steps: sorted. */

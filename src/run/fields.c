@@ -12,8 +12,8 @@ typedef enum source {
     SUPPORT     /**< one value for all */
 } source;
 
-/** Bits: whose state contains a field. */
-enum { FLUID = 1, WALL = 2 };
+/** Bits: whose state contains a field, and whether it does so only where particles have colours. */
+enum { FLUID = 1, WALL = 2, COLORED = 4 };
 
 typedef struct row {
     const char *name, *description;
@@ -116,6 +116,15 @@ static const row rows[] = {
      F64_1(old_density_rate),
      FLUID,
      SPH2D__BIT(old_density_rate)},
+    {"Colors",
+     "colour in pictures: 65536 red + 256 green + blue, 0 to 255 each",
+     {0, 0, 0},
+     SPH2D_U64,
+     1,
+     FROM_STORE,
+     {AT(color), 0},
+     FLUID | COLORED,
+     0},
 };
 
 static const sph2d_array outline_fields[] = {
@@ -231,6 +240,11 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
     return field;
 }
 
+const uint64_t *sph2d_sim_colors(const sph2d_sim *sim)
+{
+    return sim ? sim->system.fluid.color : NULL;
+}
+
 size_t sph2d__fields_of_state(sph2d_sim *sim, sph2d__lent out[SPH2D__FIELDS_OF_STATE])
 {
     const struct {
@@ -241,7 +255,8 @@ size_t sph2d__fields_of_state(sph2d_sim *sim, sph2d__lent out[SPH2D__FIELDS_OF_S
     for (size_t g = 0; g < 2; ++g) {
         const sph2d__store *store = store_of(sim, groups[g].group);
         for (const row *r = rows; r < rows + ROWS; ++r) {
-            if (!(r->in_state & groups[g].bit) || (store->carried & r->if_carried) != r->if_carried)
+            if (!(r->in_state & groups[g].bit) || (store->carried & r->if_carried) != r->if_carried ||
+                (r->in_state & COLORED && !store->colored))
                 continue;
             sph2d__lent *lent = &out[n++];
             *lent = (sph2d__lent){.array = describe(r, groups[g].group)};

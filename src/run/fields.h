@@ -15,7 +15,7 @@ typedef struct sph2d__lent {
 } sph2d__lent;
 
 /** Maximum number of arrays from sph2d__fields_of_state. */
-enum { SPH2D__FIELDS_OF_STATE = 23 };
+enum { SPH2D__FIELDS_OF_STATE = 24 };
 
 /** Lists the arrays of fluid and walls that are part of the state: those that do not follow from the scene. Returns
  *  their number. */

@@ -67,5 +67,7 @@ sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim);
 
 /** Copies a state into a simulation with walls but no fluid. Errors: SPH2D_FORMAT, SPH2D_NOMEM. */
 sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_report *report);
+/** Whether the particles of a state have colours of their own. */
+bool sph2d__state_has_colors(const sph2d_state *state);
 
 #endif

@@ -89,7 +89,7 @@ static sph2d_status emit_row(sph2d_sim *sim, size_t index, const emission *n, ui
             ++sim->record.blocked;
             continue;
         }
-        size_t i = sph2d__store_add(fluid, sim->record.next_id++, x, y);
+        size_t i = sph2d__sim_add_liquid(sim, (sph2d_vec2){x, y}, source->color);
         double spread = source->spread * source->speed;
         fluid->density[i] = sim->world.scene.fluid.density;
         fluid->vx[i] = source->speed * n->ux + spread * sph2d__noise(source->seed, index, row, k, 0);

@@ -127,6 +127,24 @@ static const sph2d_array *find_array(loader *l, const sph2d_array *wanted, size_
     return NULL;
 }
 
+bool sph2d__state_has_colors(const sph2d_state *state)
+{
+    for (size_t i = 0; i < state->array_count; ++i) {
+        const sph2d_array *a = &state->arrays[i];
+        if (a->group == SPH2D_GROUP_FLUID && a->name && strcmp(a->name, "Colors") == 0)
+            return true;
+    }
+    return false;
+}
+
+/** Gives all liquid the fluid's colour, where the state is that of a scene without colours. */
+static void set_colors(sph2d_sim *sim)
+{
+    sph2d__store *fluid = &sim->system.fluid;
+    for (size_t i = 0; i < fluid->count; ++i)
+        fluid->color[i] = sph2d__color_of(&sim->world.scene, NULL);
+}
+
 static void copy_values(loader *l, const sph2d_array *from, void *to, unsigned component)
 {
     const char *data = from->data[component];
@@ -235,11 +253,13 @@ static void check_record(loader *l, const sph2d_sim *sim)
     if (r->isa < SPH2D_ISA_BASELINE || r->isa > SPH2D_ISA_AVX512 || !sph2d_isa_available((sph2d_isa)r->isa))
         refuse(l, "InstructionSet", "is not available on this processor or in this build");
     check_positions(l, sim);
-    for (size_t i = 0; i < sim->system.fluid.count; ++i)
-        if (!(sim->system.fluid.density[i] > 0)) {
+    const sph2d__store *f = &sim->system.fluid;
+    for (size_t i = 0; i < f->count && l->ok; ++i) {
+        if (!(f->density[i] > 0))
             refuse(l, "Densities", "has a value that is not above 0");
-            break;
-        }
+        else if (f->colored && f->color[i] > 0xffffff)
+            refuse(l, "Colors", "has a value that is no colour");
+    }
 }
 
 /** Bodies say where their boundary particles are. */
@@ -289,6 +309,10 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
     for (size_t i = 0; i < n; ++i) {
         if (wanted[i].array.group == SPH2D_GROUP_WALL && !walls)
             continue;
+        if (fluid->colored && wanted[i].data[0] == fluid->color && !sph2d__state_has_colors(state)) {
+            set_colors(sim);
+            continue;
+        }
         const sph2d_array *from = find_array(&l, &wanted[i].array, wanted[i].array.count);
         for (unsigned c = 0; from && c < from->components; ++c)
             copy_values(&l, from, wanted[i].data[c], c);

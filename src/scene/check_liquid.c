@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /** @file check_liquid.c
- *  Checks how the viscosity of the liquid depends on the shear rate, and that the method can have it. */
+ *  Checks how the viscosity of the liquid depends on the shear rate, that the method can have it, and its colours. */
 #include <stdio.h>
 
+#include "base/suggest.h"
 #include "scene/checker.h"
 #include "sph2d/method.h"
 
@@ -104,8 +105,39 @@ static void check_method(checker *c)
                           material ? ", or add `model: newtonian` with a `dynamic_viscosity`" : "");
 }
 
+/* ---- colours ----------------------------------------------------------------------------------------------------- */
+
+static void check_color(checker *c, const char *color, const char *path)
+{
+    enum { MOST_COLORS = 64 };
+    uint32_t ignored;
+    if (!color || sph2d_color_parse(color, &ignored))
+        return;
+    char message[SPH2D__PATH_SIZE];
+    snprintf(message, sizeof message, "'%.64s' is no colour", color);
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, message);
+    const char *names[MOST_COLORS + 1] = {NULL};
+    for (size_t k = 0; k < MOST_COLORS && sph2d_color_name(k); ++k)
+        names[k] = sph2d_color_name(k);
+    sph2d__suggest_word(d, color, names, "six hexadecimal digits, \"#ff8000\" in quotation marks, or one of");
+}
+
+static void check_colors(checker *c)
+{
+    const sph2d_scene *s = c->scene;
+    char path[SPH2D__PATH_SIZE];
+    check_color(c, s->fluid.color, "fluid.color");
+    for (size_t i = 0; i < s->block_count; ++i)
+        check_color(c, s->blocks[i].color, sph2d__check_path(path, "blocks", i, ".color"));
+    for (size_t i = 0; i < s->source_count; ++i)
+        check_color(c, s->sources[i].color, sph2d__check_path(path, "sources", i, ".color"));
+    for (size_t i = 0; i < s->opening_count; ++i)
+        check_color(c, s->openings[i].color, sph2d__check_path(path, "openings", i, ".color"));
+}
+
 void sph2d__check_liquid(checker *c)
 {
+    check_colors(c);
     const sph2d_method_options *m = &c->scene->method;
     check_parameters(c);
     check_viscosity(c);

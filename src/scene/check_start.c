@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "scene/checker.h"
+#include "scene/colors.h"
 #include "scene/liquid.h"
 
 typedef sph2d__checker checker;
@@ -136,6 +137,9 @@ static void check_particle(sph2d__checker *c, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "has a number that is missing or not finite");
     else if (!(p->density >= 0) && c->scene->fluid.density > 0)
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path, "has a density below 0");
+    else if (!sph2d__is_color(p->color))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, path,
+                           "has a colour that is no whole number from 0 to 16777215, 65536 red + 256 green + blue");
     else if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){p->x, p->y}))
         sph2d__check_outside(c, path, (sph2d_vec2){p->x, p->y});
 }

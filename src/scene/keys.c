@@ -105,6 +105,12 @@ KEYS(arc, sph2d_arc, NULL);
      CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself"}
 // clang-format on
 
+/* The colour of liquid. */
+#define COLOR(type, otherwise, what)                                                                                   \
+    {                                                                                                                  \
+        "color", SPH2D_KEY_TEXT, false, AT(type, color), .unit = "", .default_text = (otherwise), .text = (what)       \
+    }
+
 static const sph2d_key start_items[] = {
     {"flow", SPH2D_KEY_WORD, false, AT(sph2d_start, flow.kind), .words = flow_words, .unit = "", .default_text = "none",
      .text = "a known flow"},
@@ -144,6 +150,7 @@ static const sph2d_key block_items[] = {
              "wcsph by 10 % at most"},
     {"start", SPH2D_KEY_GROUP, false, AT(sph2d_block, start), .keys = &start_keys, .unit = "", .default_text = "none",
      .text = "a known flow, a table or a snapshot that it starts with"},
+    COLOR(sph2d_block, "the fluid's", "of its particles"),
     {"arrangement", SPH2D_KEY_WORD, false, AT(sph2d_block, arrangement), .words = arrangement_words, .unit = "",
      .default_text = "lattice", .text = "arrangement of the particles; rings, for discs, have a smooth edge"},
     {"perturb", SPH2D_KEY_GROUP, false, AT(sph2d_block, perturb), .keys = &perturb_keys, .unit = "",
@@ -168,6 +175,7 @@ static const sph2d_key source_items[] = {
      .text = "when it closes"},
     {"seed", SPH2D_KEY_COUNT, false, AT(sph2d_source, seed), SEED, .unit = "", .default_text = "1",
      .text = "of the random spread"},
+    COLOR(sph2d_source, "the fluid's", "of its liquid"),
 };
 KEYS(source, sph2d_source, source_set);
 
@@ -242,6 +250,7 @@ static const sph2d_key opening_items[] = {
     {"free_surface", SPH2D_KEY_WORD, false, AT(sph2d_opening, free_surface), .words = switch_words, .unit = "",
      .default_text = "off",
      .text = "with velocity or flow_rate: liquid stands in it as high as before it, with air above"},
+    COLOR(sph2d_opening, "the fluid's", "of liquid that comes in through it"),
 };
 KEYS(opening, sph2d_opening, opening_set);
 
@@ -580,6 +589,9 @@ static const sph2d_key fluid_items[] = {
      .default_text = "0", .text = "of carreau, at high shear rates; dynamic_viscosity is that at rest"},
     {"relaxation_time", SPH2D_KEY_NUMBER, false, AT(sph2d_fluid, relaxation_time), FROM_0, .unit = "s",
      .default_text = "none", .text = "of carreau: one over the shear rate from which on it gets thinner"},
+    COLOR(sph2d_fluid, "the material's",
+          "in pictures: a name, red or orange, or \"#ff8000\"; where one is given, here or below, each particle keeps "
+          "its own"),
 };
 KEYS(fluid, sph2d_fluid, NULL);
 
@@ -678,7 +690,8 @@ static const sph2d_key scene_items[] = {
      .text = "the solver and its parameters"},
     LIST("blocks", blocks, block, "liquid at the start"),
     {"particles", SPH2D_KEY_TEXT, false, AT(sph2d_scene, particles.file), .unit = "", .default_text = "none",
-     .text = "a CSV file of particles: x, y, optionally vx, vy, density"},
+     .text =
+         "a CSV file of particles: x, y, optionally vx, vy, density, color (a number, 65536 red + 256 green + blue)"},
     {"start", SPH2D_KEY_GROUP, false, AT(sph2d_scene, start), .keys = &start_keys, .unit = "", .default_text = "none",
      .text = "what these particles start with; with a snapshot and no particles: the liquid of the snapshot"},
     LIST("sources", sources, source, "nozzles that emit liquid"),

@@ -39,7 +39,9 @@
  *  mud        silt and clay of a natural mudflow in Colorado, 34.2 % by volume: law O'Brien & Julien, J. Hydraul. Eng.
  *             114 (1988) 877, table 2, Aspen natural soil, 0.152 exp(18.7 C) dyn/cm2 and 1.36e-3 exp(28.4 C) P for the
  *             volume fraction C of their fig. 1; density with solids of 2650 kg/m3. Of 38 % solids it has twice
- *             the yield stress and three times the viscosity. No surface tension is known */
+ *             the yield stress and three times the viscosity. No surface tension is known
+ *
+ *  Colours are those that people know them by; what is clear has that of the look, as water. */
 #include "sph2d/scene.h"
 
 #define NEWTONIAN .model = SPH2D_RHEOLOGY_NEWTONIAN
@@ -47,23 +49,28 @@
 static const sph2d_material_data materials[] = {
     {"none", 0, 0, 0, "a liquid given by its properties", NEWTONIAN},
     {"water", 998.2, 1.0016e-3, 0.07274, "IAPWS R6-95, R12-08, R1-76", NEWTONIAN},
-    {"oil", 911, 0.0823, 0.033, "olive oil; Codex Stan 33, Viswanath & Natarajan 1989", NEWTONIAN},
+    {"oil", 911, 0.0823, 0.033, "olive oil; Codex Stan 33, Viswanath & Natarajan 1989", NEWTONIAN, .color = "#c9b037"},
     {"glycerine", 1261, 1.41, 0.0634, "Bosart & Snoddy 1927, Segur & Oberstar 1951, CRC Handbook", NEWTONIAN},
-    {"honey", 1420, 19, 0, "clover, 16 % water, at 20.6 C; Krell 1996 after Munro 1943", NEWTONIAN},
-    {"mercury", 13546, 1.557e-3, 0.4865, "Bigg 1964, Viswanath & Natarajan 1989, Jasper 1972", NEWTONIAN},
+    {"honey", 1420, 19, 0, "clover, 16 % water, at 20.6 C; Krell 1996 after Munro 1943", NEWTONIAN, .color = "#e0930f"},
+    {"mercury", 13546, 1.557e-3, 0.4865, "Bigg 1964, Viswanath & Natarajan 1989, Jasper 1972", NEWTONIAN,
+     .color = "silver"},
     {"seawater", 1024.8, 1.077e-3, 0.07382, "salinity 35; UNESCO EOS-80, Sharqawy et al. 2010, IAPWS G14-19",
      NEWTONIAN},
     {"ethanol", 789, 1.19e-3, 0.02239, "Munson et al., table 1.6; Jasper 1972", NEWTONIAN},
-    {"gasoline", 680, 3.1e-4, 0.022, "typical, at 15.6 C; Munson et al., table 1.6", NEWTONIAN},
-    {"milk", 1029, 2.1e-3, 0.0524, "whole, 3.6 % fat; Goff (Guelph), Bakshi & Smith 1984, Bertsch 1983", NEWTONIAN},
-    {"engine_oil", 912, 0.38, 0.036, "typical SAE 30, at 15.6 C; Munson et al., table 1.6", NEWTONIAN},
-    {"lava", 2730, 300, 0, "Hawaiian basalt at its vent, at 1050 to 1200 C; Macdonald 1963", NEWTONIAN},
+    {"gasoline", 680, 3.1e-4, 0.022, "typical, at 15.6 C; Munson et al., table 1.6", NEWTONIAN, .color = "#e8d26a"},
+    {"milk", 1029, 2.1e-3, 0.0524, "whole, 3.6 % fat; Goff (Guelph), Bakshi & Smith 1984, Bertsch 1983", NEWTONIAN,
+     .color = "#fbf8ef"},
+    {"engine_oil", 912, 0.38, 0.036, "typical SAE 30, at 15.6 C; Munson et al., table 1.6", NEWTONIAN,
+     .color = "#8a5a1e"},
+    {"lava", 2730, 300, 0, "Hawaiian basalt at its vent, at 1050 to 1200 C; Macdonald 1963", NEWTONIAN,
+     .color = "#e4461b"},
     {"blood", 1051, 0.056, 0.0526, "human, at 37 C; Cho & Kensey 1991, Trudnowski & Rico 1974, Rosina et al. 2007",
-     .model = SPH2D_RHEOLOGY_CARREAU, .infinite_viscosity = 0.00345, .relaxation_time = 3.313, .index = 0.3568},
+     .model = SPH2D_RHEOLOGY_CARREAU, .infinite_viscosity = 0.00345, .relaxation_time = 3.313, .index = 0.3568,
+     .color = "#8c0f16"},
     {"chocolate", 1200, 0, 0, "milk chocolate, molten; Bergemann et al. 2018, density at 40 C Beckett 1999",
-     .model = SPH2D_RHEOLOGY_HERSCHEL_BULKLEY, .yield_stress = 36.1, .consistency = 8.7},
+     .model = SPH2D_RHEOLOGY_HERSCHEL_BULKLEY, .yield_stress = 36.1, .consistency = 8.7, .color = "#5b3220"},
     {"mud", 1563, 0, 0, "silt and clay, 34.2 % by volume; O'Brien & Julien 1988, table 2, Aspen natural soil",
-     .model = SPH2D_RHEOLOGY_HERSCHEL_BULKLEY, .yield_stress = 9.11, .consistency = 2.25},
+     .model = SPH2D_RHEOLOGY_HERSCHEL_BULKLEY, .yield_stress = 9.11, .consistency = 2.25, .color = "#7a5c3d"},
 };
 
 const sph2d_material_data *sph2d_materials(size_t *count)

@@ -19,7 +19,7 @@ static bool add_at(sph2d_sim *sim, const sph2d__opening *o, sph2d__spot at)
     if (!sph2d__store_reserve(f, &sim->memory, f->count + 1))
         return false;
     sph2d_vec2 p = sph2d__place_of(o, at);
-    size_t i = sph2d__store_add(f, sim->record.next_id++, p.x, p.y);
+    size_t i = sph2d__sim_add_liquid(sim, p, o->given->color);
     if (f->filling)
         f->filling[i] = 1;
     sph2d__opening_set_particle(sim, o, i);

@@ -6,6 +6,7 @@
 
 #include "boundary/moving.h"
 #include "methods/common/method.h"
+#include "scene/colors.h"
 #include "scene/motion.h"
 #include "scene/solids.h"
 #include "scene/world.h"
@@ -133,6 +134,17 @@ bool sph2d__sim_external_work_is_booked(const sph2d_sim *sim);
 bool sph2d__sim_book_viscosity(sph2d_sim *sim, double dt);
 double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt);
 bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt);
+
+/** Adds a particle of liquid at a place, for which memory is reserved, with the colour `own` (scene/colors.h). Returns its
+ *  index. */
+static inline size_t sph2d__sim_add_liquid(sph2d_sim *sim, sph2d_vec2 at, const char *own)
+{
+    sph2d__store *f = &sim->system.fluid;
+    size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
+    if (f->colored)
+        f->color[i] = sph2d__color_of(&sim->world.scene, own);
+    return i;
+}
 
 /** Kinetic and potential energy of one particle [J/m]. */
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy);

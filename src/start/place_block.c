@@ -84,7 +84,7 @@ typedef struct placing {
 static void add(sph2d_sim *sim, const sph2d_block *block, sph2d_vec2 p)
 {
     sph2d__store *fluid = &sim->system.fluid;
-    size_t i = sph2d__store_add(fluid, sim->record.next_id++, p.x, p.y);
+    size_t i = sph2d__sim_add_liquid(sim, p, block->color);
     fluid->vx[i] = block->velocity.x;
     fluid->vy[i] = block->velocity.y;
     double compression = pow(sim->world.scene.spacing / block_spacing(sim, block), 2);

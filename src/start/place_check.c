@@ -17,7 +17,7 @@ bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, s
 {
     long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE); /* -1 where unknown */
     double memory = pages > 0 && page > 0 ? (double)pages * (double)page : INFINITY;
-    double each = (double)sph2d__store_bytes(sim->system.fluid.has) + 3 * sizeof(uint32_t); /* store and cells */
+    double each = (double)sph2d__store_bytes(&sim->system.fluid) + 3 * sizeof(uint32_t); /* store and cells */
     double bytes = count * each;
     if (count < MAX_PARTICLES && bytes <= memory)
         return false;

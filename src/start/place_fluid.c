@@ -41,7 +41,9 @@ static sph2d_status place_particles(sph2d_sim *sim, sph2d_report *report)
             return sph2d__sim_refuse_particle(k, "inside a block", at, report);
         if (sph2d__sim_occupancy(sim, at, 0) != SPH2D__FREE)
             return sph2d__sim_refuse_particle(k, "inside an obstacle", at, report);
-        size_t i = sph2d__store_add(f, sim->record.next_id++, at.x, at.y);
+        size_t i = sph2d__sim_add_liquid(sim, at, NULL);
+        if (f->colored && p->color > 0)
+            f->color[i] = (uint64_t)p->color;
         f->vx[i] = p->vx;
         f->vy[i] = p->vy;
         f->density[i] = sim->world.scene.fluid.density;

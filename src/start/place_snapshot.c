@@ -128,7 +128,7 @@ static bool take(sph2d_sim *sim, lattice *l, size_t wanted)
     qsort(l->places, l->count, sizeof *l->places, by_cover);
     qsort(l->places, count, sizeof *l->places, by_number);
     for (size_t k = 0; k < count; ++k) {
-        size_t i = sph2d__store_add(f, sim->record.next_id++, l->places[k].at.x, l->places[k].at.y);
+        size_t i = sph2d__sim_add_liquid(sim, l->places[k].at, NULL);
         f->density[i] = sim->world.scene.fluid.density;
     }
     return true;
@@ -151,7 +151,7 @@ static bool pack(sph2d_sim *sim, const sph2d__cloud *cloud, double wanted)
         return false;
     ok = sph2d__store_reserve(f, &sim->memory, f->count + packing.count);
     for (size_t k = 0; ok && k < packing.count; ++k) {
-        size_t i = sph2d__store_add(f, sim->record.next_id++, packing.positions[k].x, packing.positions[k].y);
+        size_t i = sph2d__sim_add_liquid(sim, packing.positions[k], NULL);
         f->density[i] = sim->world.scene.fluid.density;
     }
     sph2d__packing_free(&packing, &sim->memory);
