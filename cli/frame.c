@@ -435,6 +435,8 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
     if (style->frames.caption != SPH2D_SWITCH_OFF)
         set_caption(source, style, buffers, picture);
     sph2d_status status = set_outlines(source, buffers, picture, report);
+    if (status == SPH2D_OK && !frame_set_paths(source, style, buffers, picture))
+        status = SPH2D_NOMEM;
     if (status == SPH2D_OK)
         status = find_view(source, style, picture, report);
     return status == SPH2D_OK ? set_arrays(source, style, buffers, picture, report) : status;
@@ -460,5 +462,8 @@ void frame_free(frame_buffers *buffers)
     free(buffers->outline_y);
     free(buffers->outline_id);
     free(buffers->outline_liquid);
+    free(buffers->path_x);
+    free(buffers->path_y);
+    free(buffers->path_id);
     *buffers = (frame_buffers){0};
 }

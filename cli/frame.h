@@ -37,7 +37,10 @@ typedef struct frame_buffers {
     size_t capacity;
     double *outline_x, *outline_y;
     uint64_t *outline_id, *outline_liquid;
-    size_t corners;   /**< for which these have room */
+    size_t corners;          /**< for which these have room */
+    double *path_x, *path_y; /**< of tracers ... */
+    uint64_t *path_id;
+    size_t places;    /**< ... for so many places */
     sph2d_vec2 range; /**< of the values in the view, where the style has none; (INFINITY, -INFINITY) without values */
     char label[96], level_label[96], caption[160];
 } frame_buffers;
@@ -51,6 +54,10 @@ sph2d_status frame_make(const particle_source *source, const frame_style *style,
 sph2d_status frame_widen_range(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                                sph2d_vec2 *range, sph2d_report *report);
 void frame_free(frame_buffers *buffers);
+
+/** Sets the paths of tracers (frame_paths.c). False: memory is short. */
+bool frame_set_paths(const particle_source *source, const frame_style *style, frame_buffers *buffers,
+                     sph2d_picture *picture);
 
 /** Makes room for more corners behind those of the outlines of a picture. False: memory is short. */
 bool frame_reserve_corners(frame_buffers *buffers, sph2d_picture *picture, size_t more);

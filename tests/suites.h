@@ -69,6 +69,7 @@
     X(rheology)                                                                                                        \
     X(sources)                                                                                                         \
     X(edit)                                                                                                            \
+    X(tracers)                                                                                                         \
     X(colors)                                                                                                          \
     X(steering)                                                                                                        \
     X(twins)                                                                                                           \

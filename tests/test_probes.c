@@ -10,9 +10,9 @@
 
 static const double DX = 0.01;
 #define ONE_MORE(...) +1
-/* The last kinds are of a body and an opening: test_bodies.c, test_openings.c. */
-enum { ALL_KINDS = 0 SPH2D_PROBE_MAP(ONE_MORE), KINDS = ALL_KINDS - 2 };
-_Static_assert(KINDS == (int)SPH2D_PROBE_BODY && SPH2D_PROBE_BODY + 1 == (int)SPH2D_PROBE_OPENING, "the last kinds");
+/* The last kinds are of a body, an opening and a particle: test_bodies.c, test_openings.c, test_tracers.c. */
+enum { ALL_KINDS = 0 SPH2D_PROBE_MAP(ONE_MORE), KINDS = ALL_KINDS - 3 };
+_Static_assert(KINDS == (int)SPH2D_PROBE_BODY && SPH2D_PROBE_BODY + 2 == (int)SPH2D_PROBE_TRACER, "the last kinds");
 
 /** A scene with one probe of each kind at a point. */
 static sph2d_scene with_probes(sph2d_scene scene, sph2d_vec2 at)

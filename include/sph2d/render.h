@@ -153,6 +153,15 @@ typedef struct sph2d_picture {
     /** What the strip of the caption calls them, "Pressures [Pa]"; NULL: nothing. */
     const char *level_label;
 
+    /** Number of places of paths, drawn as lines over the liquid. */
+    size_t path_count;
+
+    /** The places [m]. */
+    const double *path_x, *path_y;
+
+    /** The path of each place; those of one are next to each other. */
+    const uint64_t *path_id;
+
     /** Number of corners of the outlines of walls and bodies, drawn as filled shapes over the liquid: the fields of
      *  SPH2D_GROUP_OUTLINE. An outline with a corner that is not finite, or millions of pixels away, is omitted. */
     size_t outline_count;

@@ -771,11 +771,17 @@ typedef struct sph2d_probe {
     sph2d_probe_kind kind;
 
     /** Position, for kinds at a point [m]; an elevation ignores y. force: the point about which the torque is taken,
-     *  which moves with an obstacle that does. Default (0, 0). */
+     *  which moves with an obstacle that does. tracer: that particle is followed which is nearest to it, within a spacing,
+     *  when first there is one. Default (0, 0). */
     sph2d_vec2 at;
 
+    /** speed, pressure, elevation: points (t, x, y) of a way, in place of `at`: straight lines between them, at rest before
+     *  the first and after the last [s, m, m]; default none. */
+    sph2d_path path;
+
     /** force, work: the wall, an obstacle's or body's name or the word of a side of the domain; default NULL: all walls
-     *  together; body: the body's name, which must be given.
+     *  together; body: the body's name, which must be given; speed, pressure, elevation: an obstacle or body that takes
+     *  `at`, where it is at the start, along, and turns the face of a gauge; default NULL: it rests.
      *  In corners of the domain forces along x are those of the left or right side, along y of the other one. */
     const char *on;
 

@@ -334,7 +334,8 @@ typedef enum sph2d_arrangement {
       "contact_x [N/m],contact_y [N/m],impulse_x [kg/s],impulse_y [kg/s],angular_impulse [kg m/s]")                    \
     X(WORK, work, "power [W/m],work [J/m]")                                                                            \
     X(BODY, body, "x [m],y [m],angle [rad],vx [m/s],vy [m/s],rate [rad/s],fx [N/m],fy [N/m],torque [N],energy [J/m]")  \
-    X(OPENING, opening, "velocity [m/s],flow_rate [m^2/s],let_in [m^2],pressure [Pa],wet [m]")
+    X(OPENING, opening, "velocity [m/s],flow_rate [m^2/s],let_in [m^2],pressure [Pa],wet [m]")                         \
+    X(TRACER, tracer, "x [m],y [m],vx [m/s],vy [m/s],pressure [Pa],particle")
 
 /** What a probe measures. */
 typedef enum sph2d_probe_kind {

@@ -292,7 +292,22 @@ SPH2D_API bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output);
 /** How many times an output was written: the number of the next file. Part of the state. */
 SPH2D_API uint64_t sph2d_sim_output_count(const sph2d_sim *sim, size_t output);
 
-/** Records that an output is written now; the impulses of a force probe begin anew. Call it before writing a snapshot,
+/** Where outputs of probes of kind tracer found their particles, in the order of time. */
+typedef struct sph2d_paths {
+    /** Number of places. */
+    size_t count;
+
+    /** Their x and y, one after the other [m]. */
+    const double *places;
+
+    /** The probe of each. */
+    const uint64_t *probes;
+} sph2d_paths;
+
+/** The places so far, valid until the next output; part of the state. Empty for NULL. */
+SPH2D_API sph2d_paths sph2d_sim_paths(const sph2d_sim *sim);
+
+/** Records that an output is written now; the impulses of a force probe begin anew, and the path of a tracer goes on. Call it before writing a snapshot,
  *  so that the snapshot's own state counts it. */
 SPH2D_API void sph2d_sim_output_done(sph2d_sim *sim, size_t output);
 

@@ -208,6 +208,7 @@ static double find_surface(const sph2d_sim *sim, double x)
 
 size_t sph2d__probe_elevation(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
 {
-    values[0] = find_surface(sim, probe->at.x);
+    sph2d_vec2 along;
+    values[0] = find_surface(sim, sph2d__probe_place(sim, probe, &along).x);
     return 1;
 }

@@ -38,15 +38,15 @@ static sph2d_sample sample_at(const sph2d_sim *sim, sph2d_vec2 at)
 
 double sph2d__gauge_face(const sph2d_sim *sim, const sph2d_probe *probe)
 {
+    sph2d_vec2 along;
+    const sph2d_vec2 at = sph2d__probe_place(sim, probe, &along);
     if (!(probe->size > 0))
-        return sample_at(sim, probe->at).pressure;
-    double n = points_of(sim, probe), length = hypot(probe->along.x, probe->along.y), sum = 0;
+        return sample_at(sim, at).pressure;
+    double n = points_of(sim, probe), length = hypot(along.x, along.y), sum = 0;
     for (int k = 1; k <= (int)n; ++k) {
         double angle = k * SPH2D__PI / (n + 1), s = probe->size / 2 * cos(angle) / length;
         double weight = 2 / (n + 1) * sin(angle) * sin(angle);
-        sum +=
-            weight *
-            sample_at(sim, (sph2d_vec2){probe->at.x + s * probe->along.x, probe->at.y + s * probe->along.y}).pressure;
+        sum += weight * sample_at(sim, (sph2d_vec2){at.x + s * along.x, at.y + s * along.y}).pressure;
     }
     return sum;
 }

@@ -10,25 +10,48 @@
 
 /* ---- at a point: velocity, pressure ------------------------------------------------------------------------------ */
 
+sph2d_vec2 sph2d__probe_place(const sph2d_sim *sim, const sph2d_probe *probe, sph2d_vec2 *along)
+{
+    const sph2d_path *path = &probe->path;
+    sph2d_vec2 at = probe->at;
+    *along = probe->along;
+    if (path->count > 0) {
+        const double first = path->items[0].t, last = path->items[path->count - 1].t;
+        sph2d__path_at(path, fmin(fmax(sim->record.time, first), last), &at);
+    } else if (probe->on) {
+        const sph2d__wall *wall = &sim->world.walls[sph2d__wall_named(&sim->world, probe->on)];
+        const sph2d__pose pose = sph2d__sim_pose_of(sim, wall);
+        at = sph2d__pose_apply(&pose, at);
+        *along = sph2d__pose_turn(&pose, *along);
+    }
+    return at;
+}
+
+static void sample(const sph2d_sim *sim, const sph2d_probe *probe, sph2d_sample *out)
+{
+    sph2d_vec2 along;
+    sph2d_sim_sample(sim, sph2d__probe_place(sim, probe, &along), out);
+}
+
 size_t sph2d__probe_speed(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
 {
-    sph2d_sample sample;
-    sph2d_sim_sample(sim, probe->at, &sample);
-    values[0] = sample.velocity[0];
-    values[1] = sample.velocity[1];
-    values[2] = hypot(sample.velocity[0], sample.velocity[1]);
-    values[3] = sample.neighbours;
+    sph2d_sample now;
+    sample(sim, probe, &now);
+    values[0] = now.velocity[0];
+    values[1] = now.velocity[1];
+    values[2] = hypot(now.velocity[0], now.velocity[1]);
+    values[3] = now.neighbours;
     return 4;
 }
 
 size_t sph2d__probe_pressure(const sph2d_sim *sim, const sph2d_probe *probe, double *values)
 {
-    sph2d_sample sample;
-    sph2d_sim_sample(sim, probe->at, &sample);
+    sph2d_sample now;
+    sample(sim, probe, &now);
     bool gauge = probe->size > 0 || probe->rise_time > 0;
-    values[0] = gauge ? sph2d__gauge_reading(sim, (size_t)(probe - sim->world.scene.probes)) : sample.pressure;
-    values[1] = sample.density;
-    values[2] = sample.neighbours;
+    values[0] = gauge ? sph2d__gauge_reading(sim, (size_t)(probe - sim->world.scene.probes)) : now.pressure;
+    values[1] = now.density;
+    values[2] = now.neighbours;
     return 3;
 }
 

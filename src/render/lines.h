@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file lines.h
- *  Lines over the liquid: arrows of its velocity and isolines of a field (lines_find.c), evenly spaced streamlines of the
+ *  Lines over the liquid: arrows of its velocity, paths and isolines of a field (lines_find.c), evenly spaced streamlines of the
  *  velocity of the moment (streamlines.c). */
 #ifndef SPH2D_RENDER_LINES_H
 #define SPH2D_RENDER_LINES_H
@@ -34,7 +34,7 @@ typedef struct sph2d__scales {
 sph2d_status sph2d__lines_create(const sph2d__gl *gl, sph2d__lines *lines, GLsizei width, GLsizei height,
                                  sph2d_report *report);
 
-/** Finds the isolines, streamlines and arrows of a picture, whose walls cover the image. Errors: SPH2D_NOMEM. */
+/** Finds the isolines, streamlines, arrows and paths of a picture, whose walls cover the image. Errors: SPH2D_NOMEM. */
 sph2d_status sph2d__lines_find(sph2d__lines *lines, const sph2d__view *view, const sph2d_picture *picture,
                                const sph2d__cover *walls, sph2d__scales *scales, sph2d_report *report);
 

@@ -72,6 +72,20 @@ static void find_arrows(sph2d__lines *lines, const sph2d__view *view, const sph2
     scales->arrow_pixels = pixels * scales->arrow_speed;
 }
 
+/* ---- paths ------------------------------------------------------------------------------------------------------- */
+
+static void find_paths(sph2d__lines *lines, const sph2d__view *view, const sph2d_picture *p)
+{
+    const double beyond = view->width + view->height; /* [px] */
+    for (size_t k = 1; k < p->path_count; ++k) {
+        float from[2], to[2];
+        if (p->path_id[k] == p->path_id[k - 1] &&
+            sph2d__view_place(view, p->path_x[k - 1], p->path_y[k - 1], beyond, from) &&
+            sph2d__view_place(view, p->path_x[k], p->path_y[k], beyond, to))
+            add_piece(lines, (sph2d_vec2){from[0], from[1]}, (sph2d_vec2){to[0], to[1]});
+    }
+}
+
 /* ---- isolines ---------------------------------------------------------------------------------------------------- */
 
 /* A square of the lattice: its corners anticlockwise from the lower left one. */
@@ -176,9 +190,9 @@ sph2d_status sph2d__lines_find(sph2d__lines *lines, const sph2d__view *view, con
 #endif
     if (picture->vx && picture->count > 0 && !lines->failed)
         find_arrows(lines, view, picture, scales);
+    find_paths(lines, view, picture);
     if (!lines->failed)
         return SPH2D_OK;
-    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
-                     "out of memory for drawing arrows, streamlines and isolines");
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory for drawing lines");
     return SPH2D_NOMEM;
 }

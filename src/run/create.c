@@ -113,6 +113,13 @@ static sph2d_status allocate_arrays(sph2d_sim *sim)
     sim->gauges = sph2d__arena_alloc(&sim->arena, &sim->memory, 2 * scene->probe_count + 1, sizeof(double));
     for (size_t i = 0; i < scene->probe_count; ++i)
         sim->gauges_lag |= scene->probes[i].kind == SPH2D_PROBE_PRESSURE && scene->probes[i].rise_time > 0;
+    for (size_t i = 0; i < scene->probe_count && !sim->tracers.particles; ++i)
+        if (scene->probes[i].kind == SPH2D_PROBE_TRACER) {
+            sim->tracers.particles =
+                sph2d__arena_alloc(&sim->arena, &sim->memory, scene->probe_count, sizeof(uint64_t));
+            if (!sim->tracers.particles)
+                return SPH2D_NOMEM;
+        }
     bool ok = sim->gauges && sim->points && sim->moving && sim->wall_ids && sim->source_rows && sim->output_counts;
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
@@ -153,6 +160,7 @@ static sph2d_status start_new(sph2d_sim *sim, sph2d_report *report)
     sim->record.kinetic_max = start.kinetic;
     sim->record.energy_held = sph2d__method_row_of(&sim->system.method)->summed_density ? start.elastic : 0;
     sph2d__sim_start_gauges(sim);
+    sph2d__tracers_choose(sim);
     return sph2d__sim_measure(sim, report) ? SPH2D_OK : SPH2D_SCENE;
 }
 
@@ -294,6 +302,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
     sph2d__release(memory, &blocks[0], sim->to_remove_capacity, 1);
     sph2d__release(memory, &blocks[2], sim->system.viscosity_capacity, sizeof(double));
     sph2d__release(memory, &blocks[1], sim->state_capacity, sizeof(sph2d_array));
+    sph2d__tracers_free(sim);
     sph2d__grid_free(s);
     sph2d__frozen_free(s);
     sph2d__barrier_free(&sim->barrier, memory);

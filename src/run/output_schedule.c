@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file output_schedule.c
  *  Which outputs are due. */
-#include "sim/simulation.h"
+#include "probes/probes.h"
 
 static sph2d_rate rate_of(const sph2d_sim *sim, size_t output)
 {
@@ -41,6 +41,8 @@ void sph2d_sim_output_done(sph2d_sim *sim, size_t output)
     if (output >= SPH2D_OUTPUT_PROBE + sim->world.scene.probe_count)
         return;
     ++sim->output_counts[output];
-    if (output >= SPH2D_OUTPUT_PROBE)
-        sph2d__loads_sampled(sim, output - SPH2D_OUTPUT_PROBE);
+    if (output < SPH2D_OUTPUT_PROBE)
+        return;
+    sph2d__loads_sampled(sim, output - SPH2D_OUTPUT_PROBE);
+    sph2d__tracers_sampled(sim, output - SPH2D_OUTPUT_PROBE);
 }

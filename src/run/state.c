@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "probes/probes.h"
 #include "run/fields.h"
 #include "run/run.h"
 #include "simd/isa.h"
@@ -12,7 +13,7 @@
 
 enum {
     RECORD_ARRAYS = 0 SPH2D__RECORD_REALS(ONE_MORE) SPH2D__RECORD_COUNTS(ONE_MORE),
-    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 8
+    STATE_ARRAYS = RECORD_ARRAYS + SPH2D__FIELDS_OF_STATE + 11
 };
 
 static sph2d__lent run_array(const char *name, const char *description, sph2d_type type, size_t count, void *data)
@@ -68,6 +69,16 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
                              SPH2D_F64, SPH2D__OPENING_VALUES * sim->openings.count, sim->openings.means);
     if (sim->bodies.count > 0)
         out[n++] = bodies_array(sim);
+    if (sim->tracers.particles) {
+        sph2d__tracers *t = &sim->tracers;
+        out[n++] =
+            run_array("TracerParticles", "of each probe: id of the particle that a tracer follows, plus 1; 0: none",
+                      SPH2D_U64, sim->world.scene.probe_count, t->particles);
+        out[n++] = run_array("TracerPlaces", "x and y where outputs found the particles of tracers", SPH2D_F64,
+                             2 * t->count, t->places);
+        out[n++] =
+            run_array("TracerProbes", "number of the probe of each of these places", SPH2D_U64, t->count, t->probes);
+    }
     return n;
 }
 
@@ -192,13 +203,22 @@ static bool has_walls(const sph2d_state *state)
     return false;
 }
 
-static size_t fluid_count(const sph2d_state *state)
+static size_t count_of(const sph2d_state *state, sph2d_group group, const char *name)
 {
     for (size_t i = 0; i < state->array_count; ++i)
-        if (state->arrays[i].group == SPH2D_GROUP_FLUID && state->arrays[i].name &&
-            strcmp(state->arrays[i].name, "Coordinates") == 0)
+        if (state->arrays[i].group == group && state->arrays[i].name && strcmp(state->arrays[i].name, name) == 0)
             return state->arrays[i].count;
     return 0;
+}
+
+/** Makes room for the places of tracers. False when memory is short. */
+static bool reserve_tracers(sph2d_sim *sim, const sph2d_state *state)
+{
+    const size_t count = sim->tracers.particles ? count_of(state, SPH2D_GROUP_RUN, "TracerProbes") : 0;
+    if (count > SIZE_MAX / (4 * sizeof(double)) || !sph2d__tracers_reserve(sim, count))
+        return false;
+    sim->tracers.count = count;
+    return true;
 }
 
 /** Particles are kept up to one more width or height outside the domain. */
@@ -286,10 +306,12 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
         return SPH2D_FORMAT;
     }
     sph2d__store *fluid = &sim->system.fluid;
-    size_t count = fluid_count(state);
+    size_t count = count_of(state, SPH2D_GROUP_FLUID, "Coordinates");
     if (count >= UINT32_MAX || !sph2d__store_reserve(fluid, &sim->memory, count > 0 ? count : 1))
         return SPH2D_NOMEM;
     fluid->count = count;
+    if (!reserve_tracers(sim, state))
+        return SPH2D_NOMEM;
     const sph2d__lent clock = run_array("Time", NULL, SPH2D_F64, 1, &sim->record.time);
     const sph2d_array *time = find_array(&l, &clock.array, 1);
     if (!time)

@@ -76,6 +76,7 @@ static sph2d_status take_step(sph2d_sim *sim, sph2d_report *report)
         return halt(sim, SPH2D_GUARD, report);
     sph2d__sim_sample(sim);
     sph2d__sim_read_gauges(sim, dt);
+    sph2d__tracers_choose(sim);
     status = sph2d__sim_watch_density(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_update_energy_balance(sim);

@@ -19,6 +19,7 @@ static bool is_valid_position(const sph2d_scene *scene, const sph2d_probe *probe
     switch (probe->kind) {
     case SPH2D_PROBE_SPEED:
     case SPH2D_PROBE_PRESSURE:
+    case SPH2D_PROBE_TRACER:
         return sph2d__check_in_domain(scene, probe->at);
     case SPH2D_PROBE_ELEVATION:
         return sph2d__check_in_domain(scene, (sph2d_vec2){probe->at.x, scene->domain.min.y});
@@ -115,9 +116,57 @@ static void check_side(checker *c, int side, const char *path)
     sph2d_diagnostic_hint(d, "draw a wall inside as an obstacle with a `name`");
 }
 
-/** Checks what a probe of kind force or work is on. */
+static bool is_at_a_point(const sph2d_probe *probe)
+{
+    return probe->kind == SPH2D_PROBE_SPEED || probe->kind == SPH2D_PROBE_PRESSURE ||
+           probe->kind == SPH2D_PROBE_ELEVATION;
+}
+
+/** Checks what a probe at a point is taken along by. */
+static void check_carrier(checker *c, const sph2d_probe *probe, size_t i)
+{
+    char path[PATH_SIZE];
+    sph2d__check_path(path, "probes", i, ".on");
+    const int wall = sph2d__wall_named(c->world, probe->on);
+    if (wall == SPH2D__WALL_ALL)
+        refuse_name(c, path, probe->on);
+    else if (wall < SPH2D__WALL_OBSTACLE)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is a side of the domain, which takes no probe along");
+    if (probe->path.count > 0)
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "give `on` or `path`, not both");
+}
+
+/** Checks the way of a probe at a point. */
+static void check_way(checker *c, const sph2d_probe *probe, size_t i)
+{
+    const sph2d_path *way = &probe->path;
+    char path[PATH_SIZE];
+    sph2d__check_path(path, "probes", i, ".path");
+    if (way->count == 0)
+        return;
+    if (!is_at_a_point(probe)) {
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds speed, pressure and elevation");
+        return;
+    }
+    sph2d__check_times(c, &way->items[0].t, way->count, 3, path);
+    for (size_t k = 0; k < way->count; ++k) {
+        sph2d_probe there = *probe;
+        there.at = (sph2d_vec2){way->items[k].x, way->items[k].y};
+        if (!is_valid_position(c->scene, &there)) {
+            sph2d__check_outside(c, path, there.at);
+            return;
+        }
+    }
+}
+
+/** Checks what a probe is on. */
 static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
 {
+    if (is_at_a_point(probe)) {
+        if (probe->on)
+            check_carrier(c, probe, i);
+        return;
+    }
     char path[PATH_SIZE];
     if (probe->kind == SPH2D_PROBE_BODY) {
         check_body(c, probe, i);
@@ -131,7 +180,8 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
     sph2d__check_path(path, "probes", i, ".on");
     if (!on_wall) {
         if (probe->on)
-            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds force, work, body and opening");
+            sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
+                               "is for probes of walls, bodies and openings, and at a point");
         return;
     }
     if (!probe->on)
@@ -162,7 +212,8 @@ void sph2d__check_probe(checker *c, size_t i)
     if (sph2d_rate_interval(probe->rate) <= 0)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
     check_wall(c, probe, i);
-    if (!is_valid_position(c->scene, probe))
+    check_way(c, probe, i);
+    if (probe->path.count == 0 && !is_valid_position(c->scene, probe))
         sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
     else
         check_gauge(c, probe, i);

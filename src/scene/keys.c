@@ -432,14 +432,19 @@ static const sph2d_key probe_items[] = {
     {"name", SPH2D_KEY_TEXT, true, AT(sph2d_probe, name), .unit = "",
      .text = "of its file NAME.csv: letters, digits, _ and -"},
     {"kind", SPH2D_KEY_WORD, true, AT(sph2d_probe, kind), .words = probe_words, .unit = "",
-     .text = "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
-             "speed, pressure, elevation of the surface; of walls: force, work; body; opening"},
+     .text =
+         "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
+         "speed, pressure, elevation of the surface; of walls: force, work; body; opening; of one particle: tracer"},
     {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .default_text = "[0, 0]",
-     .text = "position, for the kinds at a point; force: the point about which the torque is taken, moving with the "
-             "obstacle"},
+     .text =
+         "position, for the kinds at a point; tracer: the particle nearest to it is followed; force: the point about "
+         "which the torque is taken, moving with the obstacle"},
+    {"path", SPH2D_KEY_PATH, false, LIST_AT(sph2d_probe, path.items, path.count), ANY, .unit = "s, m, m",
+     .default_text = "none",
+     .text = "speed, pressure, elevation: [t, x, y] points of its way in place of `at`, with straight lines between"},
     {"on", SPH2D_KEY_TEXT, false, AT(sph2d_probe, on), .unit = "", .default_text = "all walls",
      .text = "force, work: an obstacle's or body's name, or left, right, bottom, top; body, opening: its "
-             "name"},
+             "name; speed, pressure, elevation: of an obstacle or body that takes `at` along"},
     {"size", SPH2D_KEY_NUMBER, false, AT(sph2d_probe, size), FROM_0, .unit = "m", .default_text = "0, a point",
      .text = "pressure: diameter of the gauge's round face, over which pressure is averaged"},
     {"along", SPH2D_KEY_POINT, false, AT(sph2d_probe, along), ANY, .unit = "", .default_text = "[0, 1]",

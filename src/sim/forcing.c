@@ -4,8 +4,7 @@
 #include "scene/frame.h"
 #include "sim/simulation.h"
 
-/** Position on a path at a time; false before its start and after its end. */
-static bool on_path(const sph2d_path *path, double time, sph2d_vec2 *at)
+bool sph2d__path_at(const sph2d_path *path, double time, sph2d_vec2 *at)
 {
     const sph2d_path_point *p = path->items;
     if (path->count == 1) {
@@ -51,7 +50,7 @@ static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
     for (size_t i = 0; i < sim->world.scene.interaction_count; ++i) {
         const sph2d_interaction *force = &sim->world.scene.interactions[i];
         sph2d_vec2 at;
-        if (on_path(&force->path, time, &at))
+        if (sph2d__path_at(&force->path, time, &at))
             sim->points[count++] = (sph2d__point_force){at.x, at.y, force->radius, force->acceleration};
     }
     if (by->pointer_acceleration != 0)

@@ -22,6 +22,14 @@ typedef struct sph2d__ids {
     uint64_t first, end;
 } sph2d__ids;
 
+/** Particles that probes of kind tracer follow (probes/tracer.c). */
+typedef struct sph2d__tracers {
+    uint64_t *particles; /**< of each probe: the id of its particle plus 1; 0: none yet. NULL without tracers */
+    double *places;      /**< x and y, where outputs found them [m] ... */
+    uint64_t *probes;    /**< ... and of which probe each is */
+    size_t count, room;  /**< of these */
+} sph2d__tracers;
+
 /** Forces that a program sets while a run goes on. */
 typedef struct sph2d__steering {
     double gravity_x, gravity_y;                                       /**< [m/s^2] */
@@ -57,7 +65,8 @@ struct sph2d_sim {
     uint64_t *output_counts;                  /**< outputs written: snapshots, frames, then each probe */
     double *gauges;                           /**< of each probe: the pressure on its face, and its reading [Pa] */
     bool gauges_lag;                          /**< whether a gauge has a rise time */
-    unsigned char *to_remove;                 /**< flags of particles to remove */
+    sph2d__tracers tracers;
+    unsigned char *to_remove; /**< flags of particles to remove */
     size_t to_remove_capacity;
 
     double weights[3]; /**< of the rates in the present step: adams_bashforth.c */
@@ -83,6 +92,10 @@ sph2d_status sph2d__sim_repeat_forcing(sph2d_sim *sim, double time);
 sph2d_status sph2d__sim_update_forcing(sph2d_sim *sim, double time);
 /** Sets the time interval of the next drift, for moving obstacles [s]. */
 void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to);
+
+/** The place on a path at a time; false, with `at` as it was, before its first point and after its last. A single point
+ *  is there always. */
+bool sph2d__path_at(const sph2d_path *path, double time, sph2d_vec2 *at);
 
 /** Whether a step ran out of memory: it ended in the middle, and the cells may not be those of the particles. */
 static inline bool sph2d__sim_is_broken(const sph2d_sim *sim)
