@@ -403,6 +403,8 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all -j "$$(nproc)" --short)
 	$(if $(and $(SANITIZE),$(CLANG)),,$(call stage,SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
 	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD)))
+	$(if $(and $(WITH_RENDER),$(if $(SANITIZE),,1)),$(call stage,tests/recipes/tutorial.sh $(BUILD)/sph2d '$(WITH_NUMPY)' \
+	    $(BUILD)/tutorial '$(MAKE)'))
 	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
 	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
