@@ -13,10 +13,15 @@
  * by their own names. */
 static const struct {
     const char *field, *headings[2];
-} known[] = {{"ParticleIDs", {"id"}},         {"Coordinates", {"x", "y"}},
-             {"Velocities", {"vx", "vy"}},    {"Densities", {"density"}},
-             {"Pressures", {"pressure"}},     {"Masses", {"mass"}},
-             {"Accelerations", {"ax", "ay"}}, {"SmoothingLengths", {"support_radius"}}};
+} known[] = {{"ParticleIDs", {"id"}},
+             {"Coordinates", {"x", "y"}},
+             {"Velocities", {"vx", "vy"}},
+             {"Densities", {"density"}},
+             {"Pressures", {"pressure"}},
+             {"Masses", {"mass"}},
+             {"Accelerations", {"ax", "ay"}},
+             {"SmoothingLengths", {"support_radius"}},
+             {"Colors", {"color"}}};
 enum { KNOWN = sizeof known / sizeof *known };
 
 typedef struct table {
