@@ -631,8 +631,8 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	$(hush)to='$(STAGING)/my tools'; cd '$(STAGING)/run'; \
 	hidden=$$(find "$$to" -type f ! -perm -o=r -o -type d ! -perm -o=rx); \
 	test -z "$$hidden" || { echo "install: others cannot read $$hidden"; exit 1; }; \
-	module=$$(find "$$to" -name sph2d.py); test -n "$$module" || { echo 'install: sph2d.py is missing'; exit 1; }; \
-	test -z '$(WITH_NUMPY)' || PYTHONPATH=$${module%/*} '$(WITH_NUMPY)' '$(CURDIR)'/examples/embed.py >log || exit 1; \
+	module=$$(find "$$to" -path '*/sph2d/__init__.py'); test -n "$$module" || { echo 'install: the Python module is missing'; exit 1; }; \
+	test -z '$(WITH_NUMPY)' || PYTHONPATH=$${module%/sph2d/*} '$(WITH_NUMPY)' '$(CURDIR)'/examples/embed.py >log || exit 1; \
 	export PKG_CONFIG_PATH="$$to/lib/pkgconfig" LD_LIBRARY_PATH="$$to/lib"; \
 	for static in '' --static; do \
 	    test -z "$$static" || rm "$$to"/lib/*.so*; \
@@ -703,9 +703,10 @@ man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
 # In the folders that they have here, so that their links hold.
 DOC_FILES := LICENSE README.md CHANGELOG.md $(sort $(wildcard docs/*.md docs/*.gif docs/*.png docs/gallery/*.png docs/notes/*.md examples/*.* \
     $(foreach e,yaml csv py md,examples/*/*.$(e))))
+MODULE_FILES := $(sort $(wildcard python/sph2d/*.py python/sph2d/py.typed))
 D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
-	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(pythondir)' \
+	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(pythondir)/sph2d' \
 	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))') '$D$(bashcompletiondir)' '$D$(zshcompletiondir)' \
 	    $(foreach d,$(sort $(dir $(DOC_FILES))),'$D$(docdir)/$(d)')
 	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
@@ -713,7 +714,7 @@ install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -m 755 $(LIBRARIES:%=$(BUILD)/%.so.$(VERSION)) '$D$(libdir)'
 	cp -P $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so.$(SOMAJOR) $(BUILD)/$(l).so) '$D$(libdir)'
 	$(INSTALL) -m 644 $(HEADERS) '$D$(includedir)/sph2d'
-	$(INSTALL) -m 644 python/sph2d.py '$D$(pythondir)'
+	$(INSTALL) -m 644 $(MODULE_FILES) '$D$(pythondir)/sph2d'
 	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in | $(INSTALL) -m 644 /dev/stdin '$D$(pkgconfigdir)/$(l).pc' &&) true
 	$(foreach p,$(MAN_PAGES),$(INSTALL) -m 644 $(p) '$(call man_dir,$(p))' &&) true
 	$(INSTALL) -m 644 cli/completions/sph2d.bash '$D$(bashcompletiondir)/sph2d'
@@ -726,8 +727,7 @@ uninstall: ## the reverse of install, with the same settings
 	    '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
 	    '$D$(pkgconfigdir)/$(l:lib%=%).pc')
 	rm -f '$D$(bashcompletiondir)/sph2d' '$D$(zshcompletiondir)/_sph2d'
-	rm -f '$D$(pythondir)/sph2d.py' '$D$(pythondir)/__pycache__'/sph2d.*.pyc
-	rm -rf '$D$(includedir)/sph2d' '$D$(docdir)'
+	rm -rf '$D$(pythondir)/sph2d' '$D$(includedir)/sph2d' '$D$(docdir)'
 
 # ---- the rest --------------------------------------------------------------------------------------------------------
 # The same bytes from the same commit: git takes its time for that of the files.

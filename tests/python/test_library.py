@@ -41,15 +41,13 @@ class Libraries(common.InFolder):
         for below, lib in (("usr/lib/python3/dist-packages", "usr/lib"),
                            ("opt/lib64/python3.9/site-packages", "opt/lib64"),
                            ("home/env/lib/python3/site-packages", "home/env/lib"), ("here", "here")):
-            os.makedirs(below)
-            shutil.copy(common.ROOT / "python/sph2d.py", below)
+            shutil.copytree(common.ROOT / "python", below)
             folder = self.folder_with(lib, "sph2d", "sph2d-io")
             code, out, error = self.run_python(STEP, PYTHONPATH=below)
             self.assertEqual((code, os.path.realpath(out), error), (0, os.path.realpath(folder), ""))
 
     def test_by_the_loader(self):
-        os.mkdir("alone")
-        shutil.copy(common.ROOT / "python/sph2d.py", "alone")
+        shutil.copytree(common.ROOT / "python", "alone")
         folder = self.folder_with("libraries", "sph2d", "sph2d-io")
         self.assertEqual(self.run_python(STEP, PYTHONPATH="alone", LD_LIBRARY_PATH=folder), (0, "None", ""))
         code, _, error = self.run_python(STEP, PYTHONPATH="alone")
@@ -91,13 +89,13 @@ class Libraries(common.InFolder):
             folder = self.compile("v" + other, version % other)
             code, _, error = self.run_python(STEP, SPH2D_LIBRARY_DIR=folder)
             self.assertEqual(code, 1)
-            self.assertRegex(error, "^ImportError: the Python module .*sph2d.py is of sph2d 0.1.0, libsph2d in "
+            self.assertRegex(error, "^ImportError: the Python module .*/sph2d is of sph2d 0.1.0, libsph2d in "
                                     f"{folder} of {other}: install both from the same source, or set SPH2D_LIBRARY_DIR")
         folder = self.compile("older", version % "0.1.0")
         code, _, error = self.run_python(STEP, SPH2D_LIBRARY_DIR=folder)
         self.assertEqual(code, 1)
         self.assertRegex(error, "^ImportError: libsph2d or libsph2d-io in .* is older than the Python module "
-                                ".*: .*sph2d_")
+                                ".*/sph2d: .*sph2d_")
         folder = self.compile("foreign", "int nothing;")
         error = self.run_python(STEP, SPH2D_LIBRARY_DIR=folder)[2]
         self.assertRegex(error, "^ImportError: .*undefined symbol: sph2d_version")

@@ -22,7 +22,7 @@ thread at a time: others wait for its step to end. HDF5 is not thread-safe; call
 each other, but h5py, where it shares HDF5 with this module, must not be used by another thread at the same time.
 
 The libraries are looked for in the folder that the environment variable SPH2D_LIBRARY_DIR names, and nowhere else if it
-is set; else in the folders `lib` beside this file and above it, as `make install` puts them; then by the system's
+is set; else in the folders `lib` in this package and above it, as pip and `make install` put them; then by the system's
 loader. libsph2d and libsph2d-io must be there, libsph2d-contacts for scenes with bodies, libsph2d-render for pictures.
 
 Arguments. Numbers may be of any kind, as of NumPy, Decimal or Fraction; points are arrays, sequences or iterators of
@@ -276,6 +276,8 @@ _OK = _ENUM["OK"]
 
 # ---- the libraries ---------------------------------------------------------------------------------------------------
 
+_PACKAGE = pathlib.Path(__file__).resolve().parent
+
 
 def _find_folder():
     """The folder with libsph2d; None: the system's loader finds it."""
@@ -283,7 +285,7 @@ def _find_folder():
     if given:
         return pathlib.Path(given).absolute()
     below = ["", "lib", "lib64", "lib/" + (sysconfig.get_config_var("MULTIARCH") or "")]
-    for parent in pathlib.Path(__file__).resolve().parents:
+    for parent in (_PACKAGE, *_PACKAGE.parents):
         for folder in below:
             if (parent / folder / "libsph2d.so.0").exists():
                 return parent / folder
@@ -306,7 +308,7 @@ def _check_version(library):
     version = library.sph2d_version().decode()
     # While the major number is 0, a new minor number may change the interface.
     if version.split(".")[:2] != __version__.split(".")[:2]:
-        raise ImportError(f"the Python module {__file__} is of sph2d {__version__}, libsph2d in {_WHERE} of {version}: "
+        raise ImportError(f"the Python module {_PACKAGE} is of sph2d {__version__}, libsph2d in {_WHERE} of {version}: "
                           "install both from the same source, or set SPH2D_LIBRARY_DIR to the folder of the right "
                           "library")
 
@@ -319,10 +321,10 @@ def _load_core():
         raise ImportError(f"no libsph2d and libsph2d-io in {_WHERE}: {error}; install them with `make install`, or set "
                           "SPH2D_LIBRARY_DIR to their folder") from error
     except AttributeError as error:
-        raise ImportError(f"libsph2d or libsph2d-io in {_WHERE} is older than the Python module {__file__}: {error}; "
+        raise ImportError(f"libsph2d or libsph2d-io in {_WHERE} is older than the Python module {_PACKAGE}: {error}; "
                           "install both from the same source") from error
     if core.sph2d_sim_options_default().struct_size != ctypes.sizeof(_STRUCT["sim_options"]):
-        raise ImportError(f"libsph2d in {_WHERE} has structs other than those of the Python module {__file__}: install "
+        raise ImportError(f"libsph2d in {_WHERE} has structs other than those of the Python module {_PACKAGE}: install "
                           "both from the same source")
     return core, files
 
