@@ -28,6 +28,8 @@ loader. libsph2d and libsph2d-io must be there, libsph2d-contacts for scenes wit
 Arguments. Numbers may be of any kind, as of NumPy, Decimal or Fraction; points are arrays, sequences or iterators of
 them. What cannot be taken is refused by a TypeError or ValueError that names it, of scenes by the path of its key.
 """
+from __future__ import annotations
+
 import collections
 import collections.abc
 import ctypes
@@ -45,8 +47,21 @@ import tempfile
 import threading
 import warnings
 import weakref
+from typing import (TYPE_CHECKING, Any, Dict, Iterable, List, Literal, Mapping, Optional, SupportsFloat, SupportsIndex,
+                    Tuple, TypeVar, Union, overload)
 
 import numpy as np
+
+from ._records import (BodyState, Boundary, Box, Densities, Diagnostic, Plan, Sample, SnapshotInfo, Summary)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Number = Union[SupportsFloat, SupportsIndex]
+    Numbers = Union[ArrayLike, Iterable[Any]]  # arrays, sequences, iterators, of any numbers
+    Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
+    Changes = Optional[Mapping[str, Any]]
+    Floats = NDArray[np.float64]
 
 __all__ = ["BodyState", "Densities", "Diagnostic", "Error", "Particles", "Plan", "Renderer", "Sample", "Scene",
            "SceneWarning", "Simulation", "Snapshot", "SnapshotInfo", "Summary", "vorticity"]
@@ -270,7 +285,8 @@ def _declare_functions(library, text):
         function.argtypes = arguments
 
 
-_ENUM, _STRUCT = {}, {}
+_ENUM: Dict[str, int] = {}
+_STRUCT: Dict[str, Any] = {}
 _declare_types(_TYPES_TEXT)
 _OK = _ENUM["OK"]
 
@@ -342,7 +358,7 @@ def _load_optional(name, status, what):
 _FOLDER = _find_folder()
 _WHERE = _FOLDER or "the folders of the system's loader"
 _CORE, _IO = _load_core()
-_LOADED = {}
+_LOADED: Dict[str, ctypes.CDLL] = {}
 # libsph2d-io may be used by one thread at a time.
 _IO_LOCK = threading.RLock()
 
@@ -360,15 +376,6 @@ _STATUS_TEXTS = _status_texts()
 
 # ---- errors ----------------------------------------------------------------------------------------------------------
 
-Diagnostic = collections.namedtuple("Diagnostic",
-                                    "severity code path file line column excerpt message hint text")
-Diagnostic.__doc__ = """One sentence of a report.
-
-severity: "error" or "warning"; code: "S104", as `sph2d help codes` lists them; path: key of the scene,
-"blocks[0].box.max", "" for none; file, line, column, excerpt: where it was written, counted from 1, "" and 0 if
-unknown; message: what is wrong; hint: what to do about it; text: all of it as the command prints it."""
-
-
 class Error(Exception):
     """A call of the library failed. str() gives all sentences of its report.
 
@@ -376,11 +383,15 @@ class Error(Exception):
     diagnostics: tuple of Diagnostic, errors and warnings, in the order in which they were found; dropped: how many more
     there were than fit into a report, 20."""
 
-    def __init__(self, status, diagnostics=(), dropped=0):
+    status: str
+    diagnostics: Tuple[Diagnostic, ...]
+    dropped: int
+
+    def __init__(self, status: str, diagnostics: Tuple[Diagnostic, ...] = (), dropped: int = 0) -> None:
         super().__init__(status, diagnostics, dropped)
         self.status, self.diagnostics, self.dropped = status, diagnostics, dropped
 
-    def __str__(self):
+    def __str__(self) -> str:
         lines = [diagnostic.text for diagnostic in self.diagnostics] or [_STATUS_TEXTS[self.status]]
         return "\n".join(lines + [f"and {self.dropped} more"] * (self.dropped > 0))
 
@@ -412,7 +423,7 @@ def _warn(text):
     warnings.warn(text, SceneWarning, stacklevel=level)
 
 
-def _tell(status, report, scene=None):
+def _tell(status: int, report: Any, scene: Optional[Scene] = None) -> None:
     """Raises an Error if a call failed, else warns of what its report has; of each thing in a scene once."""
     if scene:
         with _IO_LOCK:
@@ -431,28 +442,9 @@ def _tell(status, report, scene=None):
 # ---- values between C and Python -------------------------------------------------------------------------------------
 
 # The named tuple of each struct that is handed out.
-_RECORDS = {}
-
-
-def _record(name, without=()):
-    """A named tuple with the fields of a struct."""
-    kind = _STRUCT[name]
-    members = [member for member, _ in kind._fields_ if member not in without]
-    _RECORDS[kind] = collections.namedtuple("".join(map(str.title, name.split("_"))), members)
-    return _RECORDS[kind]
-
-
-Summary, Plan, BodyState, Box, Boundary = map(_record, ("summary", "plan", "body_state", "box", "boundary"))
-Densities, SnapshotInfo = _record("densities", ["status"]), _record("snapshot_info", ["frames"])
-Summary.__doc__ = "Totals and errors of a run: the fields of sph2d_summary, documented in sph2d/sim.h."
-Plan.__doc__ = "Size and derived parameters of a scene: the fields of sph2d_plan, documented in sph2d/scene.h."
-BodyState.__doc__ = """Where a body or obstacle is, and how it moves: center [m], of mass, of an obstacle the point
-about which it turns; angle since the start [rad], velocity of the center [m/s], rate [rad/s], anticlockwise; force of
-the liquid [N/m] and its torque [N], in the mean over the last step, 0 for obstacles. Documented in sph2d/sim.h."""
-Densities.__doc__ = """Mean density inside the liquid over rest density: `reported` by the particles, and `counted` from
-their number. NaN if fewer than 20 particles are inside."""
-SnapshotInfo.__doc__ = """What a snapshot says of itself: the fields of sph2d_snapshot_info but `frames`, documented in
-sph2d/io.h. The sides of `boundary` are words."""
+_RECORDS = {_STRUCT[name]: kind for name, kind in (
+    ("summary", Summary), ("plan", Plan), ("body_state", BodyState), ("box", Box), ("boundary", Boundary),
+    ("densities", Densities), ("snapshot_info", SnapshotInfo))}
 
 
 def _python(value):
@@ -669,6 +661,10 @@ def _group(name, *names):
     return groups[_choice("group", name, names or groups)]
 
 
+# Names of fields that have two.
+_Pairs = Literal["Coordinates", "Velocities", "Accelerations", "StrainRates", "OldAccelerations"]
+
+
 def _components(array, view):
     """The array of an sph2d_array, or a tuple of two. view(kind, address, count, stride) makes them."""
     kind = _U64 if array.type == _ENUM["U64"] else _F64
@@ -683,21 +679,26 @@ class Particles:
     [Pa]; id: a particle's permanent number. None stands for what there is not."""
 
     __slots__ = ("x", "y", "vx", "vy", "ax", "ay", "density", "pressure", "id")
+    x: Floats
+    y: Floats
+    vx: Floats
+    vy: Floats
+    ax: Optional[Floats]
+    ay: Optional[Floats]
+    density: Floats
+    pressure: Floats
+    id: NDArray[np.uint64]
 
-    def __init__(self, **arrays):
+    def __init__(self, **arrays: Optional[NDArray[Any]]) -> None:
         for name in self.__slots__:
             setattr(self, name, arrays.get(name))
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.x)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<sph2d.Particles: {len(self)}>"
 
-
-Sample = collections.namedtuple("Sample", "velocity pressure density neighbours")
-Sample.__doc__ = """The liquid at points: velocity [m/s], shape (..., 2); pressure [Pa], density [kg/m^3] and the number
-of particles within the support radius, shape (...). NaN where no particle is within it."""
 
 # ---- scenes ----------------------------------------------------------------------------------------------------------
 
@@ -776,6 +777,10 @@ def _own(owner, destroy, address):
     return finalizer
 
 
+_T = TypeVar("_T")
+_Sim = TypeVar("_Sim", bound="Simulation")
+
+
 class _Owner:
     """Owns memory of the library. A copy by attributes would free it, too, so copy and pickle are refused by a sentence
     of the class, where it does not say how to make one."""
@@ -787,10 +792,10 @@ class _Owner:
 class _Unchanging(_Owner):
     """An owner of what never changes: it is its own copy, as a tuple is."""
 
-    def __copy__(self):
+    def __copy__(self: _T) -> _T:
         return self
 
-    def __deepcopy__(self, _memo):
+    def __deepcopy__(self: _T, _memo: object) -> _T:
         return self
 
 
@@ -818,7 +823,7 @@ class Scene(_Unchanging):
 
     _no_copy = "a Scene cannot be pickled: pickle the dict or the name of the file that it is made of"
 
-    def __init__(self, source, set=None):
+    def __init__(self, source: Union[Mapping[str, Any], Path], set: Changes = None) -> None:
         changes, report, file = _overrides(set), _STRUCT["report"](), ctypes.c_void_p()
         rest = changes, len(changes), ctypes.byref(file), ctypes.byref(report)
         is_dict = isinstance(source, collections.abc.Mapping)
@@ -843,18 +848,18 @@ class Scene(_Unchanging):
         _tell(status, report, self if status == _OK else None)
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The text as it was read; of a dict as JSON."""
         with _IO_LOCK:
             return _python(_IO.sph2d_scene_file_text(self._file))
 
-    def as_dict(self):
+    def as_dict(self) -> Dict[str, Any]:
         """Every key of the scene as a nested dict, with its default where it was not given; None: no value, the method
         derives one or does without. Of keys that exclude each other only the one that is given. What files gave is
         in place of their names, for motions and histories."""
         return _group_value(_CORE.sph2d_scene_keys(), self._address)
 
-    def plan(self):
+    def plan(self) -> Plan:
         """Its Plan. Places the particles to make it. Errors: Error with status SCENE, NOMEM."""
         plan, report = _STRUCT["plan"](), _STRUCT["report"]()
         status = _CORE.sph2d_scene_plan(self._address, ctypes.byref(plan), ctypes.byref(report))
@@ -894,7 +899,8 @@ class Simulation(_Owner):
     for bit; so does pickle, as by write_snapshot() and Snapshot.resume(). Errors: as of Scene, and Error with status
     INVALID, NOMEM; ValueError for other threads or an unknown isa. Warns with SceneWarning."""
 
-    def __init__(self, source, set=None, *, threads=0, isa="auto", contacts=True):
+    def __init__(self, source: Union[Scene, Mapping[str, Any], Path], set: Changes = None, *, threads: Number = 0,
+                 isa: str = "auto", contacts: bool = True) -> None:
         if isinstance(source, Scene) and _overrides(set):
             raise TypeError("`set` changes a scene as it is read: Scene(source, set)")
         self._create(source if isinstance(source, Scene) else Scene(source, set), None, threads, isa, contacts)
@@ -924,25 +930,25 @@ class Simulation(_Owner):
 
     # -- its life
 
-    def close(self):
+    def close(self) -> None:
         """Frees the simulation; views that were taken stay as they are. Twice is fine."""
         with self._lock:
             if self._sim:
                 self._sim = None
                 self._destroy()
 
-    def __enter__(self):
+    def __enter__(self: _Sim) -> _Sim:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         if not self._sim:
             return "<sph2d.Simulation, closed>"
         return f"<sph2d.Simulation of {self._keys['name']!r}: {len(self.fluid)} particles, t = {self.time:g} s>"
 
-    def __copy__(self):
+    def __copy__(self: _Sim) -> _Sim:
         made = type(self).__new__(type(self))
         made.__dict__.update(self.__dict__)  # what others have added
         with self._lock:
@@ -952,7 +958,7 @@ class Simulation(_Owner):
             made._create(self._scene, state, self._options[0], "auto", self._options[1])
         return made
 
-    def __deepcopy__(self, _memo):
+    def __deepcopy__(self: _Sim, _memo: object) -> _Sim:
         return self.__copy__()
 
     def __reduce__(self):
@@ -977,7 +983,7 @@ class Simulation(_Owner):
 
     # -- steps
 
-    def step(self):
+    def step(self) -> None:
         """Advances by one time step. Errors: Error with status GUARD when a guard stops the run (the particles stay as
         they are, and every later step fails the same way), NOMEM."""
         with self._lock:
@@ -986,65 +992,65 @@ class Simulation(_Owner):
             if status != _OK or self._report.count:
                 _tell(status, self._report, self._scene)
 
-    def run_to(self, time):
+    def run_to(self, time: Number) -> None:
         """Steps until the time [s] is reached; the last step may pass it. Errors: as of step(); ValueError if the time
         is not finite."""
-        time = _finite("time", time)
-        while self.time * (1 + 1e-12) < time:  # as `sph2d run` ends
+        end = _finite("time", time)
+        while self.time * (1 + 1e-12) < end:  # as `sph2d run` ends
             self.step()
 
-    def advance(self, duration):
+    def advance(self, duration: Number) -> None:
         """Steps for a duration [s]: run_to(time + duration)."""
         self.run_to(self.time + _finite("duration", duration))
 
     # -- what it is
 
     @property
-    def time(self):
+    def time(self) -> float:
         """Simulated time [s]."""
         return self._get(_CORE.sph2d_sim_time)
 
     @property
-    def steps(self):
+    def steps(self) -> int:
         """Steps taken."""
         return self._get(_CORE.sph2d_sim_steps)
 
     @property
-    def time_step(self):
+    def time_step(self) -> float:
         """Length of the next step [s]."""
         return self._get(_CORE.sph2d_sim_time_step)
 
     @property
-    def threads(self):
+    def threads(self) -> int:
         """The number of threads that the next step asks OpenMP for."""
         return self._get(_CORE.sph2d_sim_threads)
 
     @property
-    def isa(self):
+    def isa(self) -> str:
         """The instruction set in use, "avx2"."""
         return _CORE.sph2d_isa_name(self._get(_CORE.sph2d_sim_isa)).decode()
 
     @property
-    def memory(self):
+    def memory(self) -> int:
         """Memory allocated [bytes]."""
         return self._get(_CORE.sph2d_sim_memory)
 
     @property
-    def plan(self):
+    def plan(self) -> Plan:
         """The Plan of the scene when the simulation was created."""
         with self._lock:
             return _python(_STRUCT["plan"].from_address(self._get(_CORE.sph2d_sim_plan)))
 
     @property
-    def scene(self):
+    def scene(self) -> Scene:
         """The Scene."""
         return self._scene
 
-    def summary(self):
+    def summary(self) -> Summary:
         """Totals and errors of the run so far: a Summary."""
         return _python(self._get(_CORE.sph2d_sim_summary))
 
-    def densities(self):
+    def densities(self) -> Densities:
         """The Densities now. Takes the time of a few steps. Errors: Error with status NOMEM."""
         made = self._get(_CORE.sph2d_sim_densities)
         if made.status != _OK:
@@ -1068,16 +1074,22 @@ class Simulation(_Owner):
                                 for name, kind in kinds.items()})
 
     @property
-    def fluid(self):
+    def fluid(self) -> Particles:
         """The particles of the liquid now: Particles, whose arrays are views (see the module)."""
         return self._particles(_CORE.sph2d_sim_fluid)
 
     @property
-    def walls(self):
+    def walls(self) -> Particles:
         """The boundary particles now, like `fluid`."""
         return self._particles(_CORE.sph2d_sim_walls)
 
-    def field(self, name, group="fluid"):
+    @overload
+    def field(self, name: _Pairs, group: str = "fluid") -> Tuple[Floats, Floats]: ...  # type: ignore[overload-overlap]
+
+    @overload
+    def field(self, name: str, group: str = "fluid") -> NDArray[Any]: ...
+
+    def field(self, name: str, group: str = "fluid") -> Any:
         """A field by its name in snapshots, "Pressures", of a group "fluid" or "wall": a view (see the module); of
         points a tuple of two. Of group "outline", the corners of walls and bodies now, it is a copy. Errors: KeyError,
         which lists the names; ValueError for another group."""
@@ -1090,45 +1102,45 @@ class Simulation(_Owner):
                     return _components(field, view)
         raise KeyError(f"{_shown(name)} is not one of {', '.join(field.name.decode() for field in fields)}")
 
-    def sample(self, points):
+    def sample(self, points: Numbers) -> Sample:
         """The liquid at points [m], shape (..., 2): a Sample, of third order inside liquid. Errors: ValueError for
         another shape."""
-        points = _numbers("points", points, (..., 2))
-        flat = points.reshape(-1, 2)
+        places = _numbers("points", points, (..., 2))
+        flat = places.reshape(-1, 2)
         out = np.empty((len(flat), 5))
         with self._lock:
             for k, (x, y) in enumerate(flat.tolist()):
                 self._get(_CORE.sph2d_sim_sample, _STRUCT["vec2"](x, y), out.ctypes.data + 40 * k)
-        out = out.reshape(*points.shape[:-1], 5)
+        out = out.reshape(*places.shape[:-1], 5)
         return Sample(out[..., :2], *(out[..., k][()] for k in (2, 3, 4)))
 
     # -- steering
 
-    def set_gravity(self, gravity):
+    def set_gravity(self, gravity: Numbers) -> None:
         """Sets gravity (x, y) [m/s^2] from the next step on. Errors: Error with status INVALID when not finite."""
         self._steer("gravity must be finite", _CORE.sph2d_sim_set_gravity, _vec2("gravity", gravity))
 
-    def set_pointer(self, at, radius, acceleration):
+    def set_pointer(self, at: Numbers, radius: Number, acceleration: Number) -> None:
         """Attracts liquid within a radius [m] to a point [m] by an acceleration [m/s^2], or repels it if that is
         negative; 0 ends it. Errors: Error with status INVALID for values that are not finite or out of range."""
         self._steer("the pointer needs a finite place and acceleration, and a radius above 0",
                     _CORE.sph2d_sim_set_pointer, _vec2("at", at), _number("radius", radius),
                     _number("acceleration", acceleration))
 
-    def add_particles(self, points, velocity=(0, 0), density=0):
+    def add_particles(self, points: Numbers, velocity: Numbers = (0, 0), density: Union[Number, Numbers] = 0) -> int:
         """Adds liquid at points [m], shape (n, 2), where there is room: in the domain, 0.75 spacings from other
         particles and from walls, in no solid. velocity [m/s] and density [kg/m^3], 0 for rest density, are those of all
         or of shape (n, 2) and (n,). Returns how many were added; they count as `fed`. Errors: ValueError for other
         shapes; Error with status INVALID for values that are not finite or out of range, GUARD, NOMEM."""
-        points, added = _numbers("points", points, (-1, 2)), ctypes.c_size_t()
-        rows, count = np.empty((len(points), 5)), len(points)
-        rows[:, :2], rows[:, 2:4] = points, _numbers("velocity", velocity, (count, 2), (2,))
+        places, added = _numbers("points", points, (-1, 2)), ctypes.c_size_t()
+        rows, count = np.empty((len(places), 5)), len(places)
+        rows[:, :2], rows[:, 2:4] = places, _numbers("velocity", velocity, (count, 2), (2,))
         rows[:, 4] = _numbers("density", density, (count,), ())
         self._steer("particles need finite places and velocities, and densities that are finite and not below 0",
                     _CORE.sph2d_sim_add_particles, rows.ctypes.data, len(rows), ctypes.byref(added))
         return added.value
 
-    def remove_particles(self, shape):
+    def remove_particles(self, shape: Mapping[str, Any]) -> int:
         """Removes the liquid in a shape, written as that of a drain: {"box": {"min": [0, 0], "max": [1, 1]}},
         {"circle": {"center": [0, 0], "radius": 1}} or {"polygon": [[0, 0], [1, 0], [0, 1]]} [m]. Returns how many
         particles were removed; they count as `drained`. Errors: ValueError for another shape; Error with status
@@ -1153,15 +1165,15 @@ class Simulation(_Owner):
             raise IndexError(f"{_shown(key)} is not the number of one of {len(items)} {what}")
         return _whole("which", number, 0, len(items) - 1)
 
-    def body(self, which):
+    def body(self, which: Union[str, Number]) -> BodyState:
         """The BodyState of a body, by name or number. Errors: KeyError, IndexError."""
         return _python(self._get(_CORE.sph2d_sim_body, self._index(which, "bodies")))
 
-    def obstacle(self, which):
+    def obstacle(self, which: Union[str, Number]) -> BodyState:
         """The BodyState of an obstacle, by name or number. Errors: KeyError, IndexError."""
         return _python(self._get(_CORE.sph2d_sim_obstacle, self._index(which, "obstacles")))
 
-    def set_body_velocity(self, which, velocity, rate=0.0):
+    def set_body_velocity(self, which: Union[str, Number], velocity: Numbers, rate: Number = 0.0) -> None:
         """Sets the velocity [m/s] and angular velocity [rad/s] of a body from the next step on, like a blow. Errors:
         KeyError, IndexError; Error with status INVALID for values that are not finite."""
         self._steer("velocity and rate of a body must be finite", _CORE.sph2d_sim_set_body_velocity,
@@ -1169,7 +1181,7 @@ class Simulation(_Owner):
 
     # -- measuring and saving
 
-    def probe(self, which):
+    def probe(self, which: Union[str, Number]) -> Dict[str, float]:
         """Evaluates a probe of the scene now, by name or number: a dict from its columns, "pressure [Pa]", to values,
         NaN for those that are not defined. Errors: KeyError, IndexError; Error with status NOMEM."""
         index = self._index(which, "probes")
@@ -1181,7 +1193,7 @@ class Simulation(_Owner):
             raise Error("NOMEM")
         return dict(zip(columns, values[:count]))
 
-    def write_snapshot(self, path, compress=0):
+    def write_snapshot(self, path: Path, compress: Number = 0) -> None:
         """Writes all that is needed to go on, as HDF5 (docs/snapshots.md), whole or not at all. compress: deflate
         level, 0 to 9. Errors: Error with status CANTCREAT, IO, NOMEM; ValueError for another level."""
         report, name = _STRUCT["report"](), _path_bytes("path", path)
@@ -1249,7 +1261,7 @@ class Snapshot(_Unchanging):
 
     _no_copy = "a Snapshot cannot be pickled: pickle the name of its file, and read it again"
 
-    def __init__(self, path, checked=True):
+    def __init__(self, path: Path, checked: bool = True) -> None:
         report, made, name = _STRUCT["report"](), ctypes.c_void_p(), _path_bytes("path", path)
         read = _IO.sph2d_snapshot_read if _flag("checked", checked) else _IO.sph2d_snapshot_read_unchecked
         with _IO_LOCK:
@@ -1259,7 +1271,7 @@ class Snapshot(_Unchanging):
         _tell(status, report)
 
     @property
-    def info(self):
+    def info(self) -> SnapshotInfo:
         """Its SnapshotInfo."""
         with _IO_LOCK:
             info = _python(_IO.sph2d_snapshot_get_info(self._memory.address))
@@ -1270,13 +1282,19 @@ class Snapshot(_Unchanging):
         state = _IO.sph2d_snapshot_state(self._memory.address)
         return (_STRUCT["array"] * state.array_count).from_address(state.arrays)
 
-    def names(self, group="fluid"):
+    def names(self, group: str = "fluid") -> List[str]:
         """The names of the arrays of a group: "fluid", "wall", "run" or "outline"."""
         wanted = _group(group)
         with _IO_LOCK:
             return [array.name.decode() for array in self._arrays() if array.group == wanted]
 
-    def field(self, name, group="fluid"):
+    @overload
+    def field(self, name: _Pairs, group: str = "fluid") -> Tuple[Floats, Floats]: ...  # type: ignore[overload-overlap]
+
+    @overload
+    def field(self, name: str, group: str = "fluid") -> NDArray[Any]: ...
+
+    def field(self, name: str, group: str = "fluid") -> Any:
         """An array by name, read-only, without a copy; of points a tuple of two. Errors: KeyError, which lists the
         names; ValueError for another group."""
         names = self.names(group)
@@ -1301,16 +1319,16 @@ class Snapshot(_Unchanging):
         return Particles(**made)
 
     @property
-    def fluid(self):
+    def fluid(self) -> Particles:
         """The particles of the liquid."""
         return self._particles("fluid")
 
     @property
-    def walls(self):
+    def walls(self) -> Particles:
         """The boundary particles."""
         return self._particles("wall")
 
-    def scene(self, set=None):
+    def scene(self, set: Changes = None) -> Scene:
         """The Scene that it was written with, with changes on top as of Scene. Errors: as of Scene, and Error with
         status FORMAT when it holds none."""
         scene, changes = Scene.__new__(Scene), _overrides(set)
@@ -1321,7 +1339,7 @@ class Snapshot(_Unchanging):
         scene._take(file.value, status, report)
         return scene
 
-    def resume(self, *, threads=0, contacts=True):
+    def resume(self, *, threads: Number = 0, contacts: bool = True) -> Simulation:
         """A Simulation that goes on from here, bit for bit, with the instruction set of the snapshot; arguments as of
         Simulation. Errors: as of Simulation and scene()."""
         return self._resume(Simulation, threads, contacts)
@@ -1368,7 +1386,7 @@ def _space_of(source):
     return _Space(Box(**keys["domain"]), Boundary(**keys["boundary"]), keys["spacing"])
 
 
-def vorticity(source):
+def vorticity(source: Union[Simulation, Snapshot]) -> Floats:
     """The vorticity dv_y/dx - dv_x/dy at each of source.fluid [1/s], of a Simulation or Snapshot: an array of its own.
     It is exact for linear velocities, also at surfaces; NaN at particles that are alone. Errors: Error with status
     NOMEM."""
@@ -1397,7 +1415,8 @@ class Renderer(_Owner):
 
     _no_copy = "a Renderer cannot be copied or pickled: make another one of the same size and style"
 
-    def __init__(self, width=1280, height=720, style="metaballs", look="water", background="opaque", gl=None):
+    def __init__(self, width: Number = 1280, height: Number = 720, style: str = "metaballs", look: str = "water",
+                 background: str = "opaque", gl: Optional[str] = None) -> None:
         library = _load_optional("sph2d-render", "RENDER", "for pictures")
         options = library.sph2d_render_options_default()
         if options.struct_size != ctypes.sizeof(options):
@@ -1416,17 +1435,17 @@ class Renderer(_Owner):
         self._default_radius = 0.5 if options.style == _ENUM["STYLE_POINTS"] else 2
         _tell(status, report)
 
-    def close(self):
+    def close(self) -> None:
         """Frees it. Twice is fine."""
         with self._lock:
             if self._renderer:
                 self._renderer = None
                 self._destroy()
 
-    def __enter__(self):
+    def __enter__(self) -> Renderer:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def _call(self, function, *arguments):
@@ -1435,9 +1454,12 @@ class Renderer(_Owner):
         report = _STRUCT["report"]()
         _tell(function(self._renderer, *arguments, ctypes.byref(report)), report)
 
-    def draw(self, source, values=None, label=None, value_range=(0, 0), view=None, radius=None, caption=None,
-             notes=None, arrows=False, levels=None, level_label=None, level_step=0, diverging=False, streamlines=False,
-             streamline_spacing=0):
+    def draw(self, source: Union[Simulation, Snapshot], values: Optional[Numbers] = None, label: Optional[str] = None,
+             value_range: Numbers = (0, 0), view: Optional[Numbers] = None, radius: Optional[Number] = None,
+             caption: Optional[str] = None, notes: Optional[str] = None, arrows: bool = False,
+             levels: Optional[Numbers] = None, level_label: Optional[str] = None, level_step: Number = 0,
+             diverging: bool = False, streamlines: bool = False,
+             streamline_spacing: Number = 0) -> NDArray[np.uint8]:
         """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green,
         blue, alpha (255 but for a transparent background), top row first.
 
@@ -1486,7 +1508,7 @@ class Renderer(_Owner):
             pixels = self._library.sph2d_renderer_pixels(self._renderer)
             return np.frombuffer(ctypes.string_at(pixels, math.prod(self._shape)), np.uint8).reshape(self._shape)
 
-    def write_png(self, path):
+    def write_png(self, path: Path) -> None:
         """Writes the last picture as a PNG, RGB or with a transparent background RGBA, whole or not at all. Errors:
         Error with status INVALID (nothing drawn), CANTCREAT, IO, NOMEM."""
         name = _path_bytes("path", path)
