@@ -603,6 +603,11 @@ scene-docs: $(BUILD)/sph2d ## puts the keys of scenes into docs/scenes.md and cl
 	$(hush)sed -i -e '/^\.\\" keys/,/^\.\\" end of keys/{//!d}' \
 	    -e '/^\.\\" keys/r $(BUILD)/scene.5' cli/sph2d-scene.5
 
+python-docs: $(BUILD)/libsph2d-io.so ## puts the names of the Python module into docs/python.md
+	$(hush)SPH2D_LIBRARY_DIR='$(BUILD)' '$(WITH_NUMPY)' tests/python/api.py >$(BUILD)/api.md
+	$(hush)sed -i -e '/^<!-- api -->/,/^<!-- end of api -->/{//!d}' \
+	    -e '/^<!-- api -->/r $(BUILD)/api.md' docs/python.md
+
 # ---- checks ----------------------------------------------------------------------------------------------------------
 HEADERS := $(filter-out $(if $(WITH_RENDER),,%/render.h),$(sort $(wildcard include/sph2d/*.h)))
 HEADER_LANGUAGES := 'c -std=c11' 'c -std=c17' $(if $(shell command -v $(firstword $(CXX))),'c++ -std=c++17')
@@ -752,6 +757,6 @@ help: ## this list
 .PHONY: all lib cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
     test-valgrind test-ports test-foretold test-mutants test-full test-variants bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
-    coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs gallery check-headers \
+    coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs python-docs gallery check-headers \
     check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
 endif

@@ -860,7 +860,7 @@ class Scene(_Unchanging):
         return _group_value(_CORE.sph2d_scene_keys(), self._address)
 
     def plan(self) -> Plan:
-        """Its Plan. Places the particles to make it. Errors: Error with status SCENE, NOMEM."""
+        """Size and derived parameters: a Plan. Places the particles to make it. Errors: Error with status SCENE, NOMEM."""
         plan, report = _STRUCT["plan"](), _STRUCT["report"]()
         status = _CORE.sph2d_scene_plan(self._address, ctypes.byref(plan), ctypes.byref(report))
         _tell(status, report, self)
@@ -1272,7 +1272,7 @@ class Snapshot(_Unchanging):
 
     @property
     def info(self) -> SnapshotInfo:
-        """Its SnapshotInfo."""
+        """What it says of itself: a SnapshotInfo."""
         with _IO_LOCK:
             info = _python(_IO.sph2d_snapshot_get_info(self._memory.address))
         words = _words("boundary.left")
