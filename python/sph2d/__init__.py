@@ -52,9 +52,12 @@ from typing import (TYPE_CHECKING, Any, Dict, Iterable, List, Literal, Mapping, 
 
 import numpy as np
 
+from . import _plots
 from ._records import (BodyState, Boundary, Box, Densities, Diagnostic, Plan, Sample, SnapshotInfo, Summary)
 
 if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
     from numpy.typing import ArrayLike, NDArray
 
     Number = Union[SupportsFloat, SupportsIndex]
@@ -179,6 +182,7 @@ sph2d_isa sph2d_sim_isa(const sph2d_sim *sim);
 int sph2d_sim_threads(const sph2d_sim *sim);
 size_t sph2d_sim_memory(const sph2d_sim *sim);
 const sph2d_plan *sph2d_sim_plan(const sph2d_sim *sim);
+const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim);
 sph2d_allocator sph2d_shared_allocator(void);
 void sph2d_shared_hold(const void *block);
 void sph2d_shared_release(const void *block);
@@ -199,6 +203,8 @@ sph2d_body_state sph2d_sim_obstacle(const sph2d_sim *sim, size_t index);
 sph2d_status sph2d_sim_set_body_velocity(sph2d_sim *sim, size_t index, sph2d_vec2 velocity, double rate);
 const char *sph2d_probe_columns(sph2d_probe_kind kind);
 size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[12]);
+bool sph2d_sim_output_due(const sph2d_sim *sim, size_t output);
+void sph2d_sim_output_done(sph2d_sim *sim, size_t output);
 sph2d_summary sph2d_sim_summary(const sph2d_sim *sim);
 sph2d_densities sph2d_sim_densities(const sph2d_sim *sim);
 """,
@@ -289,6 +295,7 @@ _ENUM: Dict[str, int] = {}
 _STRUCT: Dict[str, Any] = {}
 _declare_types(_TYPES_TEXT)
 _OK = _ENUM["OK"]
+_OUTPUT_PROBE = 2  # SPH2D_OUTPUT_PROBE, of an enum without a name
 
 # ---- the libraries ---------------------------------------------------------------------------------------------------
 
@@ -715,14 +722,19 @@ def _words_of(key):
     return words
 
 
-@functools.lru_cache(maxsize=None)
-def _words(path):
-    """The words of a key, "run.frames.style"."""
+def _key_at(path):
+    """A key by its path, "run.frames.style"."""
     address = _CORE.sph2d_scene_keys()
     for name in path.split("."):
         key = next(key for key in _keys_at(address) if key.name.decode() == name)
         address = key.keys
-    return _words_of(key)
+    return key
+
+
+@functools.lru_cache(maxsize=None)
+def _words(path):
+    """The words of a key."""
+    return _words_of(_key_at(path))
 
 
 # Numbers of an item of a list, by kind.
@@ -860,7 +872,8 @@ class Scene(_Unchanging):
         return _group_value(_CORE.sph2d_scene_keys(), self._address)
 
     def plan(self) -> Plan:
-        """Size and derived parameters: a Plan. Places the particles to make it. Errors: Error with status SCENE, NOMEM."""
+        """Size and derived parameters: a Plan. Places the particles to make it. Errors: Error with status SCENE,
+        NOMEM."""
         plan, report = _STRUCT["plan"](), _STRUCT["report"]()
         status = _CORE.sph2d_scene_plan(self._address, ctypes.byref(plan), ctypes.byref(report))
         _tell(status, report, self)
@@ -883,7 +896,32 @@ class _Block(_Owner):
         _release(self.address)
 
 
-class Simulation(_Owner):
+class _Pictured:
+    """What has particles that can be drawn."""
+
+    def _repr_png_(self) -> Optional[bytes]:
+        """The picture that a notebook shows: a frame, as run.frames of the scene says; None where none can be drawn."""
+        if getattr(self, "_sim", self) is None:  # closed
+            return None
+        try:
+            return _frame_png(self)
+        except Error as error:
+            if error.status == "RENDER":
+                return None
+            raise
+
+    def plot(self, color: Optional[str] = "speed", axes: Optional[Axes] = None, **options: Any) -> Axes:
+        """Plots the liquid and the outlines of walls and bodies with Matplotlib, and returns the axes.
+
+        color: the quantity that colours the particles, as of run.frames.color: "speed", the default, "vorticity",
+        "Pressures", "Densities"; None: one colour. axes: those to draw into; default None: of a new figure. options:
+        what a collection of Matplotlib takes, cmap="magma", clim=(0, 2), alpha=0.5. Colours without a clim go from
+        the 1st to the 99th percentile, as in frames. Errors: ImportError where Matplotlib is missing; ValueError for
+        another quantity."""
+        return _plot(self, color, axes, options)
+
+
+class Simulation(_Pictured, _Owner):
     """A simulation: its scene, its particles, its clock.
 
     source, set: a Scene, or what makes one. threads: number of threads, 1 to 1024; default 0: what OpenMP says
@@ -927,6 +965,8 @@ class Simulation(_Owner):
             what = "for contacts of bodies (contacts=False does without)"
             library = _load_optional("sph2d-contacts", "INVALID", what)
             library.sph2d_contacts_attach(self._sim)
+        self._rows = [[] for _ in self._keys["probes"]]
+        self._record()
 
     # -- its life
 
@@ -956,6 +996,7 @@ class Simulation(_Owner):
             if state.array_count == 0:
                 raise Error("NOMEM")
             made._create(self._scene, state, self._options[0], "auto", self._options[1])
+            made._rows = [list(rows) for rows in self._rows]
         return made
 
     def __deepcopy__(self: _Sim, _memo: object) -> _Sim:
@@ -965,7 +1006,7 @@ class Simulation(_Owner):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "state.h5")
             self.write_snapshot(path)
-            return _resumed, (type(self), path.read_bytes(), *self._options)
+            return _resumed, (type(self), path.read_bytes(), *self._options), {"_rows": self._rows}
 
     def _get(self, function, *arguments):
         """Calls a function of the library with the simulation."""
@@ -989,6 +1030,8 @@ class Simulation(_Owner):
         with self._lock:
             _CORE.sph2d_report_clear(ctypes.byref(self._report))
             status = self._get(_CORE.sph2d_sim_step, ctypes.byref(self._report))
+            if status == _OK:
+                self._record()
             if status != _OK or self._report.count:
                 _tell(status, self._report, self._scene)
 
@@ -1185,13 +1228,46 @@ class Simulation(_Owner):
         """Evaluates a probe of the scene now, by name or number: a dict from its columns, "pressure [Pa]", to values,
         NaN for those that are not defined. Errors: KeyError, IndexError; Error with status NOMEM."""
         index = self._index(which, "probes")
+        return dict(zip(self._columns(index), self._evaluate(index)))
+
+    def series(self, which: Union[str, Number]) -> Dict[str, Floats]:
+        """What a probe of the scene measured so far, by name or number, as the file NAME.csv of `sph2d run` has it: a
+        dict from "time [s]" and the columns of probe() to arrays, copies. It has a row for each time that the probe's
+        `every` or `per_second` asks for, at the end of the step that reaches it, since the simulation was made or
+        resumed; impulses of a force probe are those since the row before. Errors: KeyError, IndexError."""
+        index = self._index(which, "probes")
+        columns = ["time [s]", *self._columns(index)]
+        with self._lock:
+            rows = np.array(self._rows[index], float).reshape(-1, len(columns))
+        return {column: rows[:, k].copy() for k, column in enumerate(columns)}
+
+    def frame(self, which: Union[str, Number]) -> pandas.DataFrame:
+        """What series() has, as a DataFrame of pandas. Errors: as of series(); ImportError where pandas is missing."""
+        series = self.series(which)
+        try:
+            import pandas
+        except ImportError as error:
+            raise ImportError("frame() needs pandas, which is not installed: `pip install pandas`, on Debian `apt "
+                              "install python3-pandas`; series() does without") from error
+        return pandas.DataFrame(series)
+
+    def _columns(self, index):
         kind = _words("probes.kind").index(self._keys["probes"][index]["kind"])
-        columns = _CORE.sph2d_probe_columns(kind).decode().split(",")
+        return _CORE.sph2d_probe_columns(kind).decode().split(",")
+
+    def _evaluate(self, index):
         values = (ctypes.c_double * 12)()
         count = self._get(_CORE.sph2d_sim_probe, index, values)
         if count == 0:
             raise Error("NOMEM")
-        return dict(zip(columns, values[:count]))
+        return values[:count]
+
+    def _record(self):
+        """Keeps the rows of the probes that are due."""
+        for index, rows in enumerate(self._rows):
+            if self._get(_CORE.sph2d_sim_output_due, _OUTPUT_PROBE + index):
+                rows.append((self.time, *self._evaluate(index)))
+                self._get(_CORE.sph2d_sim_output_done, _OUTPUT_PROBE + index)
 
     def write_snapshot(self, path: Path, compress: Number = 0) -> None:
         """Writes all that is needed to go on, as HDF5 (docs/snapshots.md), whole or not at all. compress: deflate
@@ -1252,7 +1328,7 @@ class _SnapshotMemory(_Owner):
         _own(self, _destroy_snapshot, address)
 
 
-class Snapshot(_Unchanging):
+class Snapshot(_Pictured, _Unchanging):
     """A snapshot that was read into memory, where it does not change, so that copy.copy() gives the snapshot itself; it
     is freed with the last reference to it or to one of its arrays. It cannot be pickled, the name of its file can.
 
@@ -1374,16 +1450,138 @@ def _within(particles, info):
     return kept
 
 
-_Space = collections.namedtuple("_Space", "domain boundary spacing")
+# What pictures need beside particles.
+_Space = collections.namedtuple("_Space", "domain boundary spacing name time sound_speed")
 
 
 def _space_of(source):
     if isinstance(source, Snapshot):
-        return source.info
+        info = source.info
+        return _Space(info.domain, info.boundary, info.spacing, info.scene_name, info.time, info.sound_speed)
     if not isinstance(source, Simulation):
         raise TypeError(f"source must be a Simulation or a Snapshot, not {_shown(source)}")
     keys = source._keys
-    return _Space(Box(**keys["domain"]), Boundary(**keys["boundary"]), keys["spacing"])
+    return _Space(Box(**keys["domain"]), Boundary(**keys["boundary"]), keys["spacing"], keys["name"], source.time,
+                  source.plan.sound_speed)
+
+
+def _frames_of(source):
+    """The values of run.frames, with the ranges that a simulation has set where none were given."""
+    if isinstance(source, Snapshot):
+        with _IO_LOCK:
+            frames = _IO.sph2d_snapshot_get_info(source._memory.address).frames
+            return _group_value(_key_at("run.frames").keys, ctypes.addressof(frames))
+    return _group_value(_CORE.sph2d_scene_keys(), source._get(_CORE.sph2d_sim_scene))["run"]["frames"]
+
+
+def _wall_thickness(space):
+    """As in frames of the command."""
+    (left, bottom), (right, top) = space.domain
+    return max(space.spacing, 0.008 * max(right - left, top - bottom))
+
+
+def _domain_and_walls(space):
+    """The corners of what is shown."""
+    (left, bottom), (right, top) = space.domain
+    thick = _wall_thickness(space)
+    return (left - thick, bottom - thick), (right + thick, top + thick)
+
+
+def _caption(space):
+    """"dam_break   t = 0.250 s", with the decimals that frames have."""
+    digits = math.ceil(-math.log10(10 * space.spacing / space.sound_speed)) if space.sound_speed > 0 else 3
+    return f"{space.name}   t = {space.time:.{min(max(digits, 0), 9)}f} s"
+
+
+def _unit_text(unit):
+    """The unit of powers of m, kg and s."""
+    if tuple(unit) == (-1, 1, -2):
+        return "Pa"
+    over, under = (" ".join(name + (f"^{sign * power}" if sign * power > 1 else "")
+                            for name, power in zip(("kg", "m", "s"), (unit[1], unit[0], unit[2])) if sign * power > 0)
+                   for sign in (1, -1))
+    return (over or "1") + (f"/({under})" if " " in under else f"/{under}") if under else over
+
+
+def _is_diverging(name):
+    return name == "vorticity"
+
+
+def _quantity(source, name):
+    """A quantity that colours particles, by its name in run.frames.color: a value for each of source.fluid, and its
+    label."""
+    fields = (_CORE.sph2d_field(None, _ENUM["GROUP_FLUID"], k)
+              for k in range(_CORE.sph2d_field_count(_ENUM["GROUP_FLUID"])))
+    units = {field.name.decode(): _unit_text(field.unit) for field in fields if field.components == 1}
+    _choice("color", name, ("speed", "vorticity", *units))
+    if name == "vorticity":
+        return vorticity(source), "vorticity [1/s]"
+    if name == "speed":
+        return np.hypot(source.fluid.vx, source.fluid.vy), "speed [m/s]"
+    return source.field(name).astype(float), f"{name} [{units[name]}]" if units[name] else name
+
+
+def _limits(values, diverging):
+    """The values at both ends of the colours, None without one: the 1st and 99th percentile, as in frames."""
+    known = np.sort(np.abs(values) if diverging else values)
+    known = known[np.isfinite(known)]
+    if len(known) == 0:
+        return None
+    beyond = int(0.01 * (len(known) - 1) + 0.5)
+    low, high = known[beyond], known[-1 - beyond]
+    if not low < high:  # nearly all are the same
+        low, high = known[0], known[-1]
+    return [-high, high] if diverging else [low, high]
+
+
+def _plot(source, color, axes, options):
+    space, fluid = _space_of(source), source.fluid
+    kept, values, label, limits = _within(fluid, space), None, None, None
+    if color is not None:
+        values, label = _quantity(source, color)
+        values, diverging = values[kept], _is_diverging(color)
+        limits = _limits(values, diverging)
+        options.setdefault("cmap", "RdBu_r" if diverging else "viridis")
+    if axes is None:
+        axes = _plots.new_axes()
+    elif not hasattr(axes, "add_collection"):
+        raise TypeError(f"axes must be those of Matplotlib, not {_shown(axes)}")
+    _plots.add_particles(axes, fluid.x[kept], fluid.y[kept], space.spacing, values, label, limits, options)
+    _plots.add_outlines(axes, *source.field("Coordinates", "outline"), source.field("OutlineIDs", "outline"),
+                        source.field("LiquidSides", "outline"))
+    low, high = _domain_and_walls(space)
+    axes.set(aspect="equal", xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x [m]", ylabel="y [m]",
+             title=_caption(space))
+    return axes
+
+
+def _frame_png(source):
+    """The picture of a frame as PNG. It follows nothing."""
+    space, frames, given = _space_of(source), _frames_of(source), {}
+    if frames["color"]:
+        values, label = _quantity(source, frames["color"])
+        shown = _within(source.fluid, space)
+        given.update(values=values, label=label, diverging=_is_diverging(frames["color"]))
+        given["value_range"] = frames["color_range"] if any(frames["color_range"]) else (
+            _limits(values[shown], given["diverging"]) or (0, 0))
+    if frames["isolines"]:
+        given["levels"], given["level_label"] = _quantity(source, frames["isolines"])
+        given["level_step"] = frames["isoline_step"]
+    low, high = frames["view"]["min"], frames["view"]["max"]
+    if low < high:
+        given["view"] = low, high
+    if frames["radius"]:
+        given["radius"] = frames["radius"]
+    if frames["caption"] == "on":
+        given["caption"] = _caption(space)
+    with Renderer(*frames["size"], frames["style"], frames["look"], frames["background"]) as renderer, \
+            tempfile.TemporaryDirectory() as folder:
+        renderer.draw(source, arrows=frames["arrows"] == "on", streamlines=frames["streamlines"] == "on",
+                      streamline_spacing=frames["streamline_spacing"], arrow_spacing=frames["arrow_spacing"],
+                      arrow_speed=frames["arrow_speed"], **given)
+        path = pathlib.Path(folder, "frame.png")
+        renderer.write_png(path)
+        return path.read_bytes()
 
 
 def vorticity(source: Union[Simulation, Snapshot]) -> Floats:
@@ -1458,8 +1656,8 @@ class Renderer(_Owner):
              value_range: Numbers = (0, 0), view: Optional[Numbers] = None, radius: Optional[Number] = None,
              caption: Optional[str] = None, notes: Optional[str] = None, arrows: bool = False,
              levels: Optional[Numbers] = None, level_label: Optional[str] = None, level_step: Number = 0,
-             diverging: bool = False, streamlines: bool = False,
-             streamline_spacing: Number = 0) -> NDArray[np.uint8]:
+             diverging: bool = False, streamlines: bool = False, streamline_spacing: Number = 0,
+             arrow_spacing: Number = 0, arrow_speed: Number = 0) -> NDArray[np.uint8]:
         """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green,
         blue, alpha (255 but for a transparent background), top row first.
 
@@ -1468,11 +1666,12 @@ class Renderer(_Owner):
         largest. view: corners ((left, bottom), (right, top)) of what is shown [m]; default None: the domain and its
         walls. radius: of a metaball or point [m]; default None: 2 spacings, half a spacing for points. caption: a
         line of text below the picture, beside a scale bar; default None: no strip. notes: lines of it in a
-        box; default None. arrows: whether arrows show the velocity, as long as two squares of their lattice for the
-        largest speed; default False. levels: numbers to draw isolines of, one for each of source.fluid, at multiples of
-        level_step, default 0: a round number; level_label: what the strip calls them. diverging: colours for values of
-        either sign, as those of vorticity(), and a range symmetric about 0; default False. streamlines: whether evenly
-        spaced lines along the velocity are drawn, streamline_spacing apart [m], default 0: a 40th of a square view.
+        box; default None. arrows: whether arrows show the velocity, one in each square of arrow_spacing [m], default
+        0: a 32nd of the view, as long as two squares at arrow_speed [m/s], default 0: the largest; default False.
+        levels: numbers to draw isolines of, one for each of source.fluid, at multiples of level_step, default 0: a
+        round number; level_label: what the strip calls them. diverging: colours for values of either sign, as those of
+        vorticity(), and a range symmetric about 0; default False. streamlines: whether evenly spaced lines along the
+        velocity are drawn, streamline_spacing apart [m], default 0: a 40th of a square view.
         Errors: Error with status INVALID, RENDER, NOMEM; ValueError for values or levels of another shape."""
         space, fluid = _space_of(source), source.fluid
         kept = _within(fluid, space)
@@ -1489,17 +1688,17 @@ class Renderer(_Owner):
             arrays["stream_vx"], arrays["stream_vy"] = fluid.vx[kept], fluid.vy[kept]
         picture = _STRUCT["picture"](**{name: array.ctypes.data for name, array in arrays.items()})
         picture.count, picture.outline_count = len(arrays["x"]), len(arrays["outline_x"])
-        (left, bottom), (right, top) = space.domain
-        thick = max(space.spacing, 0.008 * max(right - left, top - bottom))  # as in frames of the command
-        whole = (left - thick, bottom - thick), (right + thick, top + thick)
+        whole = _domain_and_walls(space)
         picture.inside.min, picture.inside.max = _vec2("inside", whole[0]), _vec2("inside", whole[1])
         low, high = _numbers("view", whole if view is None else view, (2, 2))
         picture.view.min, picture.view.max = _vec2("view", low), _vec2("view", high)
         picture.radius = self._default_radius * space.spacing if radius is None else _number("radius", radius)
-        picture.wall_thickness, picture.spacing = thick, space.spacing
+        picture.wall_thickness, picture.spacing = _wall_thickness(space), space.spacing
         picture.value_min, picture.value_max = _numbers("value_range", value_range, (2,))
         picture.level_step = _number("level_step", level_step)
         picture.streamline_spacing = _number("streamline_spacing", streamline_spacing)
+        picture.arrow_spacing = _number("arrow_spacing", arrow_spacing)
+        picture.arrow_speed = _number("arrow_speed", arrow_speed)
         picture.diverging = _flag("diverging", diverging)
         picture.value_label, picture.level_label = _text("label", label), _text("level_label", level_label)
         picture.caption, picture.notes = _text("caption", caption), _text("notes", notes)

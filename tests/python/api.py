@@ -51,7 +51,8 @@ def signature(name, function):
 def rows(kind):
     """The lines of a class."""
     for name, member in members(kind):
-        told = f"{name}: {member.fget.__annotations__['return']}" if isinstance(member, property) else signature(name, member)
+        is_property = isinstance(member, property)
+        told = f"{name}: {member.fget.__annotations__['return']}" if is_property else signature(name, member)
         yield f"| `{told}` | {sentence(member)} |"
 
 

@@ -1,4 +1,5 @@
 """What the tests of the Python module share."""
+import importlib.util
 import os
 import pathlib
 import sys
@@ -14,6 +15,11 @@ import sph2d  # noqa: E402
 LIBRARIES = pathlib.Path(os.environ["SPH2D_LIBRARY_DIR"])
 COMPILER = os.environ.get("CC", "cc").split()
 CAN_DRAW = (LIBRARIES / "libsph2d-render.so.0").exists()
+
+
+def has(*modules):
+    """Whether these are installed."""
+    return all(importlib.util.find_spec(module) for module in modules)
 
 
 def tank(**more):

@@ -13,7 +13,7 @@ python=$1
 SPH2D_LIBRARY_DIR=$(realpath "$2")
 export SPH2D_LIBRARY_DIR
 # The caches of modules do not belong into the source, and freed memory has other bytes.
-export PYTHONDONTWRITEBYTECODE=1 PYTHONMALLOC=debug MALLOC_PERTURB_=165 LC_ALL=C.UTF-8
+export PYTHONDONTWRITEBYTECODE=1 PYTHONMALLOC=debug MALLOC_PERTURB_=165 LC_ALL=C.UTF-8 MPLBACKEND=agg
 shift 2
 cd "$here"
 if [ $# -gt 0 ]; then exec "$python" -W error -m unittest "$@"; fi

@@ -31,7 +31,8 @@ def program(types, functions):
     """A C program that does not compile where names or types differ, and prints sizes and offsets of structs."""
     lines = ["#include <stddef.h>", "#include <stdio.h>"]
     lines += [f"#include <sph2d/{name}.h>" for name in ("sph2d", "io", "contacts", "render")]
-    lines += [functions, f'_Static_assert(sizeof(SPH2D_VERSION) == {len(sph2d.__version__) + 1}, "");']
+    lines += [functions, f'_Static_assert(SPH2D_OUTPUT_PROBE == {sph2d._OUTPUT_PROBE}, "");']
+    lines += [f'_Static_assert(sizeof(SPH2D_VERSION) == {len(sph2d.__version__) + 1}, "");']
     for name, body in re.findall(r"typedef enum (\w+) \{(.*?)\} \1;", types, re.DOTALL):
         lines.append(f'_Static_assert(sizeof({name}) == sizeof(int), "{name}");')
         lines += [f'_Static_assert({constant}, "");' for constant in body.replace("=", "==").split(",")]

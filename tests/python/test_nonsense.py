@@ -72,7 +72,7 @@ MAY_TAKE = {
     "points": {"row", "empty", "empty array"}, "view": {"none"}, "each": {"none"}, "which": {"true", "tiny"},
     "whole": {"true", "tiny"}, "text": SOME_TEXTS | {"none"}, "path": SOME_TEXTS | {"path", "name"} | SOME_DICTS,
     "changes": SOME_DICTS | {"none"},
-    "source": set(), "shape": set(),
+    "source": set(), "shape": set(), "word or none": {"none"},
 }
 NUMBERS = [lambda kind=kind: kind(1) for kind in (
     int, float, bool, np.float32, np.float16, np.longdouble, np.int8, np.uint64, np.bool_, decimal.Decimal, np.array,
@@ -131,13 +131,16 @@ class Nonsense(common.InFolder):
                     ("word", "group", lambda v: sim.field("Masses", v)), ("word", "group", snapshot.names),
                     ("word", "group", lambda v: snapshot.field("Masses", v)))
         for what, function in (("bodies", sim.body), ("obstacles", sim.obstacle), ("probes", sim.probe),
+                               ("probes", sim.series), ("probes", sim.frame),
                                ("bodies", lambda v: sim.set_body_velocity(v, (0, 0)))):
             yield "which", f"which|{what}", function
         yield from (("path", "path|cannot", sph2d.Snapshot), ("path", "path|cannot", sim.write_snapshot),
                     ("path", "source|cannot|domain|text", sph2d.Scene),
                     ("path", "source|cannot|domain|text", sph2d.Simulation),
                     ("changes", "set", lambda v: sph2d.Scene(tank(), v)), ("changes", "set", snapshot.scene),
-                    ("changes", "set", lambda v: sph2d.Simulation(sim.scene, v)), ("source", "source", sph2d.vorticity))
+                    ("changes", "set", lambda v: sph2d.Simulation(sim.scene, v)), ("source", "source", sph2d.vorticity),
+                    ("word or none", "color", lambda v: v is None or sim.plot(v)),
+                    ("word or none", "axes", lambda v: v is None or snapshot.plot(axes=v)))
         if common.CAN_DRAW:
             yield from self.drawings()
 
@@ -145,7 +148,7 @@ class Nonsense(common.InFolder):
         renderer, kinds = sph2d.Renderer(32, 32), {
             "flag": ["arrows", "diverging", "streamlines"], "pair": ["value_range"], "view": ["view"],
             "each": ["values", "levels"], "text": ["label", "caption", "notes", "level_label"],
-            "number": ["level_step", "streamline_spacing"],
+            "number": ["level_step", "streamline_spacing", "arrow_spacing", "arrow_speed"],
             "optional": ["radius"], "source": ["source"]}
         self.assertEqual(sorted(sum(kinds.values(), [])), sorted(inspect.signature(renderer.draw).parameters))
         for kind, names in kinds.items():
@@ -162,11 +165,12 @@ class Nonsense(common.InFolder):
     def test_no_parameter_is_left_out(self):
         tried = "|".join(names for _, names, _ in self.calls())
         for kind in (sph2d.Scene, sph2d.Simulation, sph2d.Snapshot, sph2d.Renderer):
-            functions = {kind.__name__: kind, **{name: member for name, member in vars(kind).items() if name[0] != "_"}}
+            members = {name: getattr(kind, name) for name in dir(kind) if name[0] != "_"}
+            functions = {kind.__name__: kind, **members}
             for name, function in {**functions, "vorticity": sph2d.vorticity}.items():
                 for parameter in inspect.signature(function).parameters if callable(function) else ():
                     if (parameter, name) != ("name", "field"):  # whose sentence has the names that there are
-                        self.assertIn(parameter, tried + "|self", name)
+                        self.assertIn(parameter, tried + "|self|options", name)
 
     def test_it_is_refused_by_a_sentence(self):
         for kind, names, call in self.calls():
