@@ -405,6 +405,7 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD)))
 	$(if $(and $(WITH_RENDER),$(if $(SANITIZE),,1)),$(call stage,tests/recipes/tutorial.sh $(BUILD)/sph2d '$(WITH_NUMPY)' \
 	    $(BUILD)/tutorial '$(MAKE)'))
+	$(if $(SANITIZE),,$(call stage,tests/python/wheel.sh '$(PYTHONS)' $(BUILD)/wheel))
 	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
 	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
@@ -421,6 +422,7 @@ test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, re
 	$(first_stage)
 	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all -j "$$(nproc)" --long)
 	$(call stage,tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes)
+	$(if $(SANITIZE),,$(call stage,CC='$(CC)' OPENMP='$(OPENMP)' RENDER='$(RENDER)' tests/python/wheel.sh --pypi '$(PYTHONS)' $(BUILD)/wheel-pypi))
 	$(call stage,$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv)
 	$(call stage,$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt)
 	$(if $(WITH_RENDER),$(call stage,$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt))
@@ -726,6 +728,12 @@ install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -m 644 cli/completions/_sph2d '$D$(zshcompletiondir)'
 	$(hush)$(foreach f,$(DOC_FILES),$(INSTALL) -m 644 $(f) '$D$(docdir)/$(f)' &&) true
 
+# Those that the module loads, under the names by which it looks for them: a wheel has no links.
+MODULE_LIBRARIES := $(filter-out libsph2d-study,$(LIBRARIES))
+python-libraries: $(foreach l,$(MODULE_LIBRARIES),$(BUILD)/$(l).so) ## the shared libraries of the Python module into the folder TO, for pip
+	$(INSTALL) -d '$(TO)'
+	$(foreach l,$(MODULE_LIBRARIES),$(INSTALL) -m 755 $(BUILD)/$(l).so.$(VERSION) '$(TO)/$(l).so.$(SOMAJOR)' &&) true
+
 uninstall: ## the reverse of install, with the same settings
 	rm -f '$D$(bindir)/sph2d' $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))/$(notdir $(p))') \
 	    $(foreach l,$(LIBRARIES),'$D$(libdir)/$(l).a' '$D$(libdir)/$(l).so' \
@@ -758,5 +766,5 @@ help: ## this list
     test-valgrind test-ports test-foretold test-mutants test-full test-variants bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
     coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs python-docs gallery check-headers \
-    check-symbols check-install check-lint check-walls format install uninstall dist clean help FORCE
+    check-symbols check-install check-lint check-walls format install python-libraries uninstall dist clean help FORCE
 endif

@@ -32,6 +32,8 @@ missing_tools() {
     ! asked test test-full test-variants test-sanitize || for module in numpy h5py; do
         with_module $module || echo python3-$module
     done
+    ! asked test test-full test-variants || with_module 'ensurepip, hatchling, numpy' ||
+        printf 'python3-%s\n' hatchling numpy venv
 }
 # shellcheck disable=SC2153 # the Makefile's
 missing_libraries() {
@@ -58,10 +60,10 @@ packages=$({ missing_tools && missing_libraries; } | tr '\n' ' ')
 [ "$packages" != 'libosmesa6-dev ' ] || ! without_osmesa || packages=
 [ -n "$packages" ] || exit 0
 if [ "$(id -u)" = 0 ]; then root=; else root='sudo -n'; fi
-# Without NumPy the tests of the Python module are left out, without h5py and gnuplot those of recipes, without GLFW there is
-# no `play`, without a display no test of it, without ffmpeg none of films, without compilers for other machines none of
-# these: nobody is stopped for them.
-optional='python3-(numpy|h5py)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
+# Without NumPy the tests of the Python module are left out, without hatchling and venv that of its wheel, without h5py and
+# gnuplot those of recipes, without GLFW there is no `play`, without a display no test of it, without ffmpeg none of films,
+# without compilers for other machines none of these: nobody is stopped for them.
+optional='python3-(numpy|h5py|hatchling|venv)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
 needed=$(echo "$packages" | tr ' ' '\n' | grep -vxE "$optional|") || true
 if ! has apt-get || ! $root true 2>/dev/null; then
     [ -n "$needed" ] || exit 0

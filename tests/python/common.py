@@ -8,11 +8,13 @@ import unittest
 import warnings
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "python"))
+# The module of the source with the libraries that are named, else the one that is installed.
+if "SPH2D_LIBRARY_DIR" in os.environ:
+    sys.path.insert(0, str(ROOT / "python"))
 
 import sph2d  # noqa: E402
 
-LIBRARIES = pathlib.Path(os.environ["SPH2D_LIBRARY_DIR"])
+LIBRARIES = sph2d._FOLDER
 COMPILER = os.environ.get("CC", "cc").split()
 CAN_DRAW = (LIBRARIES / "libsph2d-render.so.0").exists()
 

@@ -15,6 +15,8 @@ STEP = "import sph2d; sim = sph2d.Simulation({'domain': {'min': [0, 0], 'max': [
        "print(sph2d._FOLDER)"
 BODY = STEP.replace("'spacing'", "'bodies': [{'circle': {'center': [0.7, 0.5], 'radius': 0.1}, 'density': 500}], "
                                  "'spacing'")
+# What `pip install -e .` has put beside the module.
+IGNORED = shutil.ignore_patterns("lib")
 DRAW = STEP + "; sph2d.Renderer(100, 100)"
 
 
@@ -41,13 +43,13 @@ class Libraries(common.InFolder):
         for below, lib in (("usr/lib/python3/dist-packages", "usr/lib"),
                            ("opt/lib64/python3.9/site-packages", "opt/lib64"),
                            ("home/env/lib/python3/site-packages", "home/env/lib"), ("here", "here")):
-            shutil.copytree(common.ROOT / "python", below)
+            shutil.copytree(common.ROOT / "python", below, ignore=IGNORED)
             folder = self.folder_with(lib, "sph2d", "sph2d-io")
             code, out, error = self.run_python(STEP, PYTHONPATH=below)
             self.assertEqual((code, os.path.realpath(out), error), (0, os.path.realpath(folder), ""))
 
     def test_by_the_loader(self):
-        shutil.copytree(common.ROOT / "python", "alone")
+        shutil.copytree(common.ROOT / "python", "alone", ignore=IGNORED)
         folder = self.folder_with("libraries", "sph2d", "sph2d-io")
         self.assertEqual(self.run_python(STEP, PYTHONPATH="alone", LD_LIBRARY_PATH=folder), (0, "None", ""))
         code, _, error = self.run_python(STEP, PYTHONPATH="alone")
