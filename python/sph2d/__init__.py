@@ -100,7 +100,13 @@ typedef struct sph2d_arc { sph2d_vec2 center; double radius; double from, to; } 
 typedef struct sph2d_points { const sph2d_vec2 *items; size_t count; } sph2d_points;
 typedef struct sph2d_shape { sph2d_shape_kind kind; sph2d_box box; sph2d_circle circle; sph2d_points points;
     sph2d_arc arc; } sph2d_shape;
-typedef struct sph2d_particle { double x, y; double vx, vy; double density; } sph2d_particle;
+typedef struct sph2d_particle { double x, y; double vx, vy; double density; double color; } sph2d_particle;
+typedef enum sph2d_material { SPH2D_MATERIAL_NONE = 0 } sph2d_material;
+typedef enum sph2d_rheology { SPH2D_RHEOLOGY_NEWTONIAN = 0 } sph2d_rheology;
+typedef struct sph2d_fluid { sph2d_material material; double density; double dynamic_viscosity; sph2d_rheology model;
+    double consistency; double index; double yield_stress; double regularisation; double infinite_viscosity;
+    double relaxation_time; double surface_tension; const char *color; } sph2d_fluid;
+typedef struct sph2d_paths { size_t count; const double *places; const uint64_t *probes; } sph2d_paths;
 typedef struct sph2d_rate { double per_second; double every; } sph2d_rate;
 typedef struct sph2d_boundary { sph2d_side left, right, bottom, top; } sph2d_boundary;
 typedef struct sph2d_frames { sph2d_rate rate; uint64_t size[2]; sph2d_style style; sph2d_look look;
@@ -145,13 +151,15 @@ typedef struct sph2d_override { const char *path, *value; } sph2d_override;
 typedef struct sph2d_snapshot_info { const char *scene_name; const char *code_version; const char *method;
     const char *isa; const char *scene_text; double time; double time_step; uint64_t steps; sph2d_box domain;
     sph2d_boundary boundary; double spacing; double support_radius; double sound_speed;
-    sph2d_frames frames; } sph2d_snapshot_info;
+    sph2d_fluid fluid; sph2d_frames frames; } sph2d_snapshot_info;
 typedef struct sph2d_render_options { size_t struct_size; unsigned width, height; sph2d_style style; sph2d_look look;
     sph2d_background background; const char *gl; void *get_proc_address; const char *shader_dir; } sph2d_render_options;
 typedef struct sph2d_picture { sph2d_box view; sph2d_box inside; double radius; size_t count; const double *x, *y;
-    const double *values; double value_min, value_max; bool diverging; const char *value_label; double spacing;
+    const double *values; double value_min, value_max; bool diverging; const uint64_t *colors; bool tinted; uint32_t tint;
+    const char *value_label; double spacing;
     const double *vx, *vy; double arrow_spacing; double arrow_speed; const double *stream_vx, *stream_vy;
-    double streamline_spacing; const double *level_values; double level_step; const char *level_label; size_t outline_count;
+    double streamline_spacing; const double *level_values; double level_step; const char *level_label; size_t path_count;
+    const double *path_x, *path_y; const uint64_t *path_id; size_t outline_count;
     const double *outline_x, *outline_y; const uint64_t *outline_id, *outline_liquid; double wall_thickness;
     const char *caption; const char *notes; } sph2d_picture;
 """
@@ -193,6 +201,10 @@ size_t sph2d_field_count(sph2d_group group);
 sph2d_status sph2d_vorticity(size_t count, const double *x, const double *y, const double *vx, const double *vy,
     double spacing, double *out, sph2d_report *report);
 sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index);
+const uint64_t *sph2d_sim_colors(const sph2d_sim *sim);
+bool sph2d_fluid_color(const sph2d_fluid *fluid, uint32_t *rgb);
+bool sph2d_color_parse(const char *text, uint32_t *rgb);
+sph2d_paths sph2d_sim_paths(const sph2d_sim *sim);
 bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out);
 sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity);
 sph2d_status sph2d_sim_set_pointer(sph2d_sim *sim, sph2d_vec2 at, double radius, double acceleration);
@@ -242,7 +254,7 @@ sph2d_status sph2d_renderer_write_png(sph2d_renderer *renderer, const char *path
 
 _TYPES = {"double": ctypes.c_double, "uint64_t": ctypes.c_uint64, "size_t": ctypes.c_size_t, "int": ctypes.c_int,
           "unsigned": ctypes.c_uint, "bool": ctypes.c_bool, "char": ctypes.c_char, "signed char": ctypes.c_byte,
-          "void": None}
+          "uint32_t": ctypes.c_uint32, "void": None}
 _BASE = r"((?:(?:const|struct|signed|unsigned) )*\w+) "
 _DECLARATOR = r"((?:\*(?:const )?)*)(\w*)(?:\[(\d+)\])?"
 
@@ -683,9 +695,10 @@ class Particles:
     """Particles, one value each, as arrays that cannot be written to. len() is their number.
 
     x, y: position [m]; vx, vy: velocity [m/s]; ax, ay: acceleration [m/s^2], None for walls; density [kg/m^3]; pressure
-    [Pa]; id: a particle's permanent number. None stands for what there is not."""
+    [Pa]; id: a particle's permanent number; color: 65536 red + 256 green + blue, in scenes that give one. None stands for
+    what there is not."""
 
-    __slots__ = ("x", "y", "vx", "vy", "ax", "ay", "density", "pressure", "id")
+    __slots__ = ("x", "y", "vx", "vy", "ax", "ay", "density", "pressure", "id", "color")
     x: Floats
     y: Floats
     vx: Floats
@@ -695,6 +708,7 @@ class Particles:
     density: Floats
     pressure: Floats
     id: NDArray[np.uint64]
+    color: Optional[NDArray[np.uint64]]
 
     def __init__(self, **arrays: Optional[NDArray[Any]]) -> None:
         for name in self.__slots__:
@@ -1112,9 +1126,10 @@ class Simulation(_Pictured, _Owner):
     def _particles(self, function):
         with self._lock:
             view = self._get(function)
-            kinds = {name: _U64 if name == "id" else _F64 for name in Particles.__slots__}
-            return Particles(**{name: self._view(kind, getattr(view, name), view.count)
-                                for name, kind in kinds.items()})
+            arrays = {name: self._view(_U64 if name == "id" else _F64, getattr(view, name), view.count)
+                      for name in Particles.__slots__ if name != "color"}
+            colors = self._get(_CORE.sph2d_sim_colors) if function == _CORE.sph2d_sim_fluid else None
+            return Particles(color=self._view(_U64, colors, view.count), **arrays)
 
     @property
     def fluid(self) -> Particles:
@@ -1170,16 +1185,21 @@ class Simulation(_Pictured, _Owner):
                     _CORE.sph2d_sim_set_pointer, _vec2("at", at), _number("radius", radius),
                     _number("acceleration", acceleration))
 
-    def add_particles(self, points: Numbers, velocity: Numbers = (0, 0), density: Union[Number, Numbers] = 0) -> int:
+    def add_particles(self, points: Numbers, velocity: Numbers = (0, 0), density: Union[Number, Numbers] = 0,
+                      color: Union[str, Number, Numbers] = 0) -> int:
         """Adds liquid at points [m], shape (n, 2), where there is room: in the domain, 0.75 spacings from other
         particles and from walls, in no solid. velocity [m/s] and density [kg/m^3], 0 for rest density, are those of all
-        or of shape (n, 2) and (n,). Returns how many were added; they count as `fed`. Errors: ValueError for other
-        shapes; Error with status INVALID for values that are not finite or out of range, GUARD, NOMEM."""
+        or of shape (n, 2) and (n,). color, in scenes that give one: a name or "#rrggbb", or numbers as of
+        Particles.color, 0 for the fluid's. Returns how many were added; they count as `fed`. Errors: ValueError for
+        other shapes and colours; Error with status INVALID for values that are not finite or out of range, GUARD,
+        NOMEM."""
         places, added = _numbers("points", points, (-1, 2)), ctypes.c_size_t()
-        rows, count = np.empty((len(places), 5)), len(places)
+        rows, count = np.empty((len(places), 6)), len(places)
         rows[:, :2], rows[:, 2:4] = places, _numbers("velocity", velocity, (count, 2), (2,))
         rows[:, 4] = _numbers("density", density, (count,), ())
-        self._steer("particles need finite places and velocities, and densities that are finite and not below 0",
+        rows[:, 5] = _numbers("color", _color(color) if isinstance(color, str) else color, (count,), ())
+        self._steer("particles need finite places and velocities, densities that are finite and not below 0, and colours "
+                    "from 0 to 16777215",
                     _CORE.sph2d_sim_add_particles, rows.ctypes.data, len(rows), ctypes.byref(added))
         return added.value
 
@@ -1388,7 +1408,8 @@ class Snapshot(_Pictured, _Unchanging):
     def _particles(self, group):
         names, made = self.names(group), {}
         for keys, name in ((("x", "y"), "Coordinates"), (("vx", "vy"), "Velocities"), (("ax", "ay"), "Accelerations"),
-                           (("density",), "Densities"), (("pressure",), "Pressures"), (("id",), "ParticleIDs")):
+                           (("density",), "Densities"), (("pressure",), "Pressures"), (("id",), "ParticleIDs"),
+                           (("color",), "Colors")):
             if name in names:
                 arrays = self.field(name, group)
                 made.update(zip(keys, arrays if len(keys) > 1 else (arrays,)))
@@ -1472,6 +1493,48 @@ def _frames_of(source):
             frames = _IO.sph2d_snapshot_get_info(source._memory.address).frames
             return _group_value(_key_at("run.frames").keys, ctypes.addressof(frames))
     return _group_value(_CORE.sph2d_scene_keys(), source._get(_CORE.sph2d_sim_scene))["run"]["frames"]
+
+
+def _color(name):
+    """The number of a colour."""
+    rgb = ctypes.c_uint32()
+    if not _CORE.sph2d_color_parse(name.encode(), ctypes.byref(rgb)):
+        raise ValueError(f"{_shown(name)} is no colour: \"#ff8000\", or a name of CSS")
+    return rgb.value
+
+
+def _tint_of(source):
+    """The colour of the liquid; None where it has that of the look."""
+    rgb = ctypes.c_uint32()
+    if isinstance(source, Snapshot):
+        with _IO_LOCK:
+            fluid = _IO.sph2d_snapshot_get_info(source._memory.address).fluid
+            given = _CORE.sph2d_fluid_color(ctypes.byref(fluid), ctypes.byref(rgb))
+    else:
+        fluid = source._get(_CORE.sph2d_sim_scene) + _key_at("fluid").offset
+        given = _CORE.sph2d_fluid_color(fluid, ctypes.byref(rgb))
+    return rgb.value if given else None
+
+
+def _paths_of(source, space):
+    """The paths of tracers: x, y, and the number of the line that a place is on, one line after the other."""
+    if isinstance(source, Snapshot):
+        if "TracerPlaces" not in source.names("run"):
+            return None
+        places, probes = source.field("TracerPlaces", "run"), source.field("TracerProbes", "run")
+    else:
+        with source._lock:
+            paths = source._get(_CORE.sph2d_sim_paths)
+            places, probes = _copy(_F64, paths.places, 2 * paths.count), _copy(_U64, paths.probes, paths.count)
+    order = np.argsort(probes, kind="stable")
+    places, probes = np.reshape(places, (-1, 2))[order], probes[order]
+    ends = np.diff(probes) != 0
+    for axis, side in enumerate(("left", "bottom")):
+        if getattr(space.boundary, side) == "periodic":
+            size = space.domain[1][axis] - space.domain[0][axis]
+            ends |= np.abs(np.diff(places[:, axis])) > size / 2
+    lines = np.concatenate([[0], np.cumsum(ends)]) if len(places) else []
+    return [np.ascontiguousarray(places[:, 0]), np.ascontiguousarray(places[:, 1]), np.asarray(lines, np.uint64)]
 
 
 def _wall_thickness(space):
@@ -1661,7 +1724,7 @@ class Renderer(_Owner):
         """Draws a Simulation or Snapshot and returns the picture: an array (height, width, 4) of bytes, red, green,
         blue, alpha (255 but for a transparent background), top row first.
 
-        values: numbers to colour by, one for each of source.fluid, NaN is grey; default None: one colour. label:
+        values: numbers to colour by, one for each of source.fluid, NaN is grey; default None: its colours. label:
         text at their colour bar; default None. value_range: values at its ends; default (0, 0): the smallest and
         largest. view: corners ((left, bottom), (right, top)) of what is shown [m]; default None: the domain and its
         walls. radius: of a metaball or point [m]; default None: 2 spacings, half a spacing for points. caption: a
@@ -1686,8 +1749,15 @@ class Renderer(_Owner):
             arrays["vx"], arrays["vy"] = fluid.vx[kept], fluid.vy[kept]
         if _flag("streamlines", streamlines):
             arrays["stream_vx"], arrays["stream_vy"] = fluid.vx[kept], fluid.vy[kept]
+        paths, tint = _paths_of(source, space), _tint_of(source)
+        if paths is not None:
+            arrays["path_x"], arrays["path_y"], arrays["path_id"] = paths
+        if fluid.color is not None:
+            arrays["colors"] = fluid.color[kept]
         picture = _STRUCT["picture"](**{name: array.ctypes.data for name, array in arrays.items()})
         picture.count, picture.outline_count = len(arrays["x"]), len(arrays["outline_x"])
+        picture.path_count = 0 if paths is None else len(paths[0])
+        picture.tinted, picture.tint = tint is not None, tint or 0
         whole = _domain_and_walls(space)
         picture.inside.min, picture.inside.max = _vec2("inside", whole[0]), _vec2("inside", whole[1])
         low, high = _numbers("view", whole if view is None else view, (2, 2))

@@ -156,7 +156,7 @@ class Densities(NamedTuple):
 
 
 class SnapshotInfo(NamedTuple):
-    """What a snapshot says of itself: the fields of sph2d_snapshot_info but `frames`, documented in sph2d/io.h. The
+    """What a snapshot says of itself: the fields of sph2d_snapshot_info but `fluid` and `frames`, documented in sph2d/io.h. The
     sides of `boundary` are words."""
 
     scene_name: str

@@ -103,7 +103,7 @@ class Layout(common.InFolder):
 
     def test_rows_are_five_numbers(self):
         self.assertEqual(ctypes.sizeof(sph2d._STRUCT["sample"]), 40)  # as sample() takes it
-        self.assertEqual(ctypes.sizeof(sph2d._STRUCT["particle"]), 40)  # as add_particles() gives it
+        self.assertEqual(ctypes.sizeof(sph2d._STRUCT["particle"]), 48)  # as add_particles() gives it
 
 
 if __name__ == "__main__":

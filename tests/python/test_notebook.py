@@ -121,6 +121,36 @@ class Beside(common.InFolder):
             self.assertEqual(sim._repr_png_(), frame, more)
             self.assertEqual(sph2d.Snapshot("a.h5")._repr_png_(), frame, more)
 
+    @unittest.skipUnless(common.CAN_DRAW and COMMAND.exists(), "without libsph2d-render or the command")
+    def test_notebooks_show_colours_and_paths(self):
+        scene = gauged()
+        scene["probes"] = [{"name": "a", "kind": "tracer", "at": [0.3, 0.2], "every": 0.01},
+                           {"name": "b", "kind": "tracer", "at": [0.1, 0.1], "every": 0.02}]
+        scene.update(boundary={"left": "periodic", "right": "periodic"}, gravity=[30, -9.81])  # some go round
+        for fluid in ({"color": "teal"}, {"material": "honey"}):
+            scene["fluid"] = fluid
+            sim = sph2d.Simulation(scene, threads=1)
+            sim.run_to(0.1)
+            sim.add_particles([[0.5, 0.75]], color="red")
+            sim.run_to(0.35)
+            colors = sim.fluid.color
+            self.assertEqual(colors is None, "material" in fluid)
+            if colors is not None:
+                self.assertEqual((set(colors.tolist()), (colors == 0xff0000).sum()), ({0x008080, 0xff0000}, 1))
+            sim.write_snapshot("a.h5")
+            subprocess.run([COMMAND, "render", "a.h5", "-o", "drawn", "-q", "-f"], check=True)
+            with open("drawn/frame_000000.png", "rb") as file:
+                frame = file.read()
+            snapshot = sph2d.Snapshot("a.h5")
+            self.assertEqual((sim._repr_png_(), snapshot._repr_png_()), (frame, frame), fluid)
+            self.assertEqual(snapshot.fluid.color is None, colors is None)
+            series = sim.series("a")
+            self.assertGreater(np.ptp(series["x [m]"]), 0.9)
+            self.assertEqual(len(set(series["particle"])), 1)
+        self.assertRaisesRegex(ValueError, "'reddish' is no colour", sim.add_particles, [[0.5, 0.95]], color="reddish")
+        with self.assertRaises(sph2d.Error):
+            sim.add_particles([[0.5, 0.95]], color=-1)
+
     def test_no_picture_where_none_can_be_drawn(self):
         sim = sph2d.Simulation(tank())
         self.assertIs(common.CAN_DRAW, sim._repr_png_() is not None)

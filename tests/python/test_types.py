@@ -7,7 +7,7 @@ import common
 from common import raft, sph2d, tank
 
 # What structs have beside the fields of their named tuples.
-WITHOUT = {"densities": {"status"}, "snapshot_info": {"frames"}}
+WITHOUT = {"densities": {"status"}, "snapshot_info": {"fluid", "frames"}}
 
 
 def public():
