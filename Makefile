@@ -212,7 +212,8 @@ endif
 say_compiled = $(eval COMPILED += x)$(if $(QUIET),@printf '  [%s/%s] CC %s\n' $(words $(COMPILED)) '$(TO_COMPILE)' '$(1)'; )
 hush := $(if $(QUIET),@)
 
-all: lib cli ## the command and the libraries (the default)
+SCHEMAS := $(addprefix $(BUILD)/,scene.schema.json study.schema.json)
+all: lib cli $(SCHEMAS) ## the command, the libraries and the schemas of their files (the default)
 lib: $(foreach l,$(LIBRARIES),$(BUILD)/$(l).a $(BUILD)/$(l).so) ## the libraries, static and shared
 cli: $(BUILD)/sph2d ## the command
 examples: $(EXAMPLE_BIN) ## the example programs, in BUILD/examples
@@ -277,6 +278,9 @@ else
 $(BUILD)/sph2d: $(CLI_OBJ) $(ARCHIVES:.a=.so) $(BUILD)/variant
 	$(call link,,-L$(BUILD) $(patsubst $(BUILD)/lib%.a,-l%,$(ARCHIVES)) -lm $(call pc_libs,$(GLFW)))
 endif
+# By `sph2d help study.schema`, and for scenes `sph2d help schema`.
+$(BUILD)/%.schema.json: $(BUILD)/sph2d
+	$(call say,GEN,$@)LD_LIBRARY_PATH='$(abspath $(BUILD))' $(BUILD)/sph2d help $(patsubst scene.%,%,$*.schema) >$@.new && mv $@.new $@
 $(BUILD)/tests/check_all: $(TEST_OBJ) $(ARCHIVES) $(BUILD)/variant
 	$(call link,,$(ARCHIVE_LIBS) $(call pc_libs,check))
 $(BUILD)/tests/bench: $(BENCH_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
@@ -630,6 +634,7 @@ check-symbols: lib ## what the shared libraries export and need
 # Below a folder with a space, by somebody whose files are private.
 STAGING := $(abspath $(BUILD))/staging
 STAGED := share/bash-completion/completions/sph2d share/zsh/site-functions/_sph2d \
+    share/sph2d/scene.schema.json share/sph2d/study.schema.json \
     $(addprefix share/doc/sph2d/,LICENSE README.md docs/scenes.md examples/README.md examples/dam_break/scene.yaml)
 STAGE := prefix='$(STAGING)/my tools' libdir='$(STAGING)/my tools/lib' pkgconfigdir='$(STAGING)/my tools/lib/pkgconfig'
 check-install: all ## install into a scratch folder, build the examples there with pkg-config alone, run them
@@ -715,7 +720,7 @@ D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(pythondir)/sph2d' \
 	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))') '$D$(bashcompletiondir)' '$D$(zshcompletiondir)' \
-	    $(foreach d,$(sort $(dir $(DOC_FILES))),'$D$(docdir)/$(d)')
+	    '$D$(datadir)/sph2d' $(foreach d,$(sort $(dir $(DOC_FILES))),'$D$(docdir)/$(d)')
 	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
 	$(INSTALL) -m 644 $(LIBRARIES:%=$(BUILD)/%.a) '$D$(libdir)'
 	$(INSTALL) -m 755 $(LIBRARIES:%=$(BUILD)/%.so.$(VERSION)) '$D$(libdir)'
@@ -726,6 +731,7 @@ install: all ## to prefix (/usr/local), below DESTDIR
 	$(foreach p,$(MAN_PAGES),$(INSTALL) -m 644 $(p) '$(call man_dir,$(p))' &&) true
 	$(INSTALL) -m 644 cli/completions/sph2d.bash '$D$(bashcompletiondir)/sph2d'
 	$(INSTALL) -m 644 cli/completions/_sph2d '$D$(zshcompletiondir)'
+	$(INSTALL) -m 644 $(SCHEMAS) '$D$(datadir)/sph2d'
 	$(hush)$(foreach f,$(DOC_FILES),$(INSTALL) -m 644 $(f) '$D$(docdir)/$(f)' &&) true
 
 # Those that the module loads, under the names by which it looks for them: a wheel has no links.
@@ -740,7 +746,7 @@ uninstall: ## the reverse of install, with the same settings
 	    '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
 	    '$D$(pkgconfigdir)/$(l:lib%=%).pc')
 	rm -f '$D$(bashcompletiondir)/sph2d' '$D$(zshcompletiondir)/_sph2d'
-	rm -rf '$D$(pythondir)/sph2d' '$D$(includedir)/sph2d' '$D$(docdir)'
+	rm -rf '$D$(pythondir)/sph2d' '$D$(includedir)/sph2d' '$D$(docdir)' '$D$(datadir)/sph2d'
 
 # ---- the rest --------------------------------------------------------------------------------------------------------
 # The same bytes from the same commit: git takes its time for that of the files.

@@ -34,6 +34,7 @@ missing_tools() {
     done
     ! asked test test-full test-variants || with_module 'ensurepip, hatchling, numpy' ||
         printf 'python3-%s\n' hatchling numpy venv
+    ! asked test test-full test-variants test-sanitize || with_module 'numpy, jsonschema, yaml' || printf 'python3-jsonschema\npython3-yaml\n'
 }
 # shellcheck disable=SC2153 # the Makefile's
 missing_libraries() {
@@ -60,10 +61,10 @@ packages=$({ missing_tools && missing_libraries; } | tr '\n' ' ')
 [ "$packages" != 'libosmesa6-dev ' ] || ! without_osmesa || packages=
 [ -n "$packages" ] || exit 0
 if [ "$(id -u)" = 0 ]; then root=; else root='sudo -n'; fi
-# Without NumPy the tests of the Python module are left out, without hatchling and venv that of its wheel, without h5py and
-# gnuplot those of recipes, without GLFW there is no `play`, without a display no test of it, without ffmpeg none of films,
-# without compilers for other machines none of these: nobody is stopped for them.
-optional='python3-(numpy|h5py|hatchling|venv)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
+# Without NumPy the tests of the Python module are left out, without jsonschema and PyYAML those of schemas, without hatchling
+# and venv that of its wheel, without h5py and gnuplot those of recipes, without GLFW there is no `play`, without a display no
+# test of it, without ffmpeg none of films, without compilers for other machines none of these: nobody is stopped for them.
+optional='python3-(numpy|h5py|hatchling|venv|jsonschema|yaml)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
 needed=$(echo "$packages" | tr ' ' '\n' | grep -vxE "$optional|") || true
 if ! has apt-get || ! $root true 2>/dev/null; then
     [ -n "$needed" ] || exit 0

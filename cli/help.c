@@ -18,6 +18,7 @@
 #include "message.h"
 #include "option_table.h"
 #include "pages.h"
+#include "schema.h"
 #include "text.h"
 
 /* ---- commands ---------------------------------------------------------------------------------------------------- */
@@ -121,7 +122,8 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "\n"
                   "  sph2d init basin --template stir\n",
     [CLI__HELP] = ("Topics: a command; exit (exit codes); codes (of messages); scene (all keys of a scene file);\n"
-                   "materials (named liquids); methods (use, defaults and keys of each).\n"),
+                   "materials (named liquids); methods (use, defaults and keys of each); schema, study.schema (JSON\n"
+                   "schemas of scene and study files, for editors).\n"),
 };
 
 void help_print(void)
@@ -330,6 +332,16 @@ static void print_methods(void)
     }
 }
 
+static void print_schema(void)
+{
+    schema_print(sph2d_scene_keys(), "scene of sph2d");
+}
+
+static void print_study_schema(void)
+{
+    schema_print(sph2d_study_keys(), "study of sph2d");
+}
+
 static void print_completions(void);
 
 static const struct {
@@ -341,6 +353,8 @@ static const struct {
               {"scene", keys_print_all, true},
               {"materials", print_materials, true},
               {"methods", print_methods, true},
+              {"schema", print_schema, true},
+              {"study.schema", print_study_schema, true},
               /* what completions of shells ask */
               {"completions", print_completions, false},
               /* what `make scene-docs` puts into docs/scenes.md and sph2d-scene.5 */

@@ -91,7 +91,7 @@ def check_table(commands, topics):
     """The table against help, and the words against what the parser takes and says."""
     shown = set(re.findall(r"^  (\w+) ", told("help"), re.M))
     assert set(commands) == shown, (set(commands), shown)
-    listed = set(re.findall(r"or: ([\w, ]+)$", told("help"), re.M)[0].split(", "))
+    listed = set(re.findall(r"or: ([\w., ]+)$", told("help"), re.M)[0].split(", "))
     assert topics == listed, (topics, listed)
     for name, (_, options) in commands.items():
         longs = set(re.findall(r"^  (?:-\w,|   ) (--[a-z-]+)", told(name, "--help"), re.M))
