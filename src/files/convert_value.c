@@ -8,44 +8,63 @@
 #include "base/number.h"
 #include "base/suggest.h"
 #include "files/convert.h"
+#include "files/quantity.h"
 
 /** What is being converted, for messages. */
 typedef struct value {
     sph2d__converter *converter;
     const sph2d_key *key;
     const char *path;
+    size_t column; /**< in a tuple */
 } value;
-
-/** The value of a percentage, "5%": 0.05; 0 for any other text. */
-static double fraction_of(const sph2d__node *node)
-{
-    char digits[32];
-    const size_t length = node->kind == SPH2D__NODE_SCALAR ? strlen(node->text) : 0;
-    double number = 0;
-    if (length < 2 || length > sizeof digits || node->text[length - 1] != '%')
-        return 0;
-    snprintf(digits, sizeof digits, "%.*s", (int)(length - 1), node->text);
-    return sph2d__number_real(digits, &number) == SPH2D__NUMBER_OK ? number / 100 : 0;
-}
 
 static void hint_key(sph2d_diagnostic *diagnostic, const sph2d_key *key)
 {
     sph2d_diagnostic_hint(diagnostic, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
 }
 
-void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
-                               const char *path, const char *expected)
+/** Reports the wrong type; NULL where that was done already. */
+static sph2d_diagnostic *wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
+                                    const char *path, const char *expected)
 {
     sph2d__faults_mark_invalid(converter->faults, path);
-    if (node->kind == SPH2D__NODE_FAULTY) /* reported already */
-        return;
+    if (node->kind == SPH2D__NODE_FAULTY)
+        return NULL;
     char got[80];
     sph2d_diagnostic *d = sph2d__fault(converter->faults, SPH2D_CODE_WRONG_TYPE, sph2d__node_place(node), path,
                                        "expected %s, got %s", expected, sph2d__node_describe(node, got, sizeof got));
-    if (key->kind == SPH2D_KEY_NUMBER && key->unit[0] == '\0' && fraction_of(node) != 0)
-        sph2d_diagnostic_hint(d, "write %g: %s is a fraction of 1", fraction_of(node), key->name);
-    else
-        hint_key(d, key);
+    hint_key(d, key);
+    return d;
+}
+
+void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
+                               const char *path, const char *expected)
+{
+    wrong_type(converter, key, node, path, expected);
+}
+
+/** The unit of a column: the units of a tuple stand between commas, unless all have one. */
+static const char *unit_of(const sph2d_key *key, size_t column, char out[32])
+{
+    const char *unit = key->unit;
+    for (; column > 0 && strchr(unit, ','); --column)
+        unit = strchr(unit, ',') + 2;
+    snprintf(out, 32, "%.*s", (int)strcspn(unit, ","), unit);
+    return out;
+}
+
+static void wrong_number(const value *v, const sph2d__node *node, const char *expected)
+{
+    sph2d_diagnostic *d = wrong_type(v->converter, v->key, node, v->path, expected);
+    char unit[32], advice[160];
+    double number;
+    if (!d || node->kind != SPH2D__NODE_SCALAR)
+        return;
+    if (node->quoted && sph2d__number_real(node->text, &number) == SPH2D__NUMBER_OK)
+        sph2d_diagnostic_hint(d, "write it without quotes: %.40s", node->text);
+    else if (v->key->kind != SPH2D_KEY_COUNT && v->key->kind != SPH2D_KEY_COUNTS2 &&
+             sph2d__quantity_advice(node->text, unit_of(v->key, v->column, unit), advice, sizeof advice))
+        sph2d_diagnostic_hint(d, "%s", advice);
 }
 
 /** Reports a value that is not a number, or one that cannot be stored. */
@@ -54,7 +73,7 @@ static bool check_number(const value *v, const sph2d__node *node, sph2d__number 
     if (state == SPH2D__NUMBER_OK)
         return true;
     if (state == SPH2D__NUMBER_NONE) {
-        sph2d__convert_wrong_type(v->converter, v->key, node, v->path, expected);
+        wrong_number(v, node, expected);
         return false;
     }
     char got[80], reason[80];
@@ -95,12 +114,40 @@ static void read_count(const value *v, const sph2d__node *node, uint64_t *out)
         *out = result;
 }
 
+/** Whether each of the items is a text of digits and a sign. */
+static bool are_whole(const sph2d__node *list)
+{
+    for (const sph2d__node *child = list->first; child; child = child->next)
+        if (child->kind != SPH2D__NODE_SCALAR || child->quoted || !child->text[0] ||
+            child->text[strspn(child->text, "+-0123456789")] != '\0')
+            return false;
+    return true;
+}
+
+/** What to write for `1280x720`, `[0,5, 1,5]` and `[0 1]`, where there should be `count` numbers. */
+static void hint_tuple(sph2d_diagnostic *d, const sph2d__node *node, size_t count)
+{
+    static const char digits[] = "0123456789";
+    const sph2d__node *first = node->kind == SPH2D__NODE_SEQUENCE ? node->first : NULL;
+    const size_t width = strspn(node->text, digits);
+    const char *times = node->text + width;
+    if (!d || count != 2)
+        return;
+    if (width > 0 && *times == 'x' && times[1] && times[1 + strspn(times + 1, digits)] == '\0')
+        sph2d_diagnostic_hint(d, "write [%.*s, %.20s]", (int)(width < 20 ? width : 20), node->text, times + 1);
+    else if (first && node->count == 4 && are_whole(node))
+        sph2d_diagnostic_hint(d, "a comma stands between numbers, a point within them: [%.20s.%.20s, %.20s.%.20s]?",
+                              first->text, first->next->text, first->next->next->text, node->last->text);
+    else if (first && node->count == 1 && first->kind == SPH2D__NODE_SCALAR && strpbrk(first->text, " ;"))
+        sph2d_diagnostic_hint(d, "write a comma between the numbers");
+}
+
 /** Whether a node is a list of exactly `count` items; reports an error otherwise. */
 static bool is_tuple(const value *v, const sph2d__node *node, size_t count, const char *expected)
 {
     if (node->kind == SPH2D__NODE_SEQUENCE && node->count == count)
         return true;
-    sph2d__convert_wrong_type(v->converter, v->key, node, v->path, expected);
+    hint_tuple(wrong_type(v->converter, v->key, node, v->path, expected), node, count);
     return false;
 }
 
@@ -108,9 +155,10 @@ static void read_reals(const value *v, const sph2d__node *node, size_t count, co
 {
     if (!is_tuple(v, node, count, expected))
         return;
-    size_t i = 0;
-    for (const sph2d__node *child = node->first; child; child = child->next)
-        read_real(v, child, &out[i++]);
+    value each = *v;
+    each.column = 0;
+    for (const sph2d__node *child = node->first; child; child = child->next, ++each.column)
+        read_real(&each, child, &out[each.column]);
 }
 
 /** Reads a list of tuples of `width` doubles; a width of 1 is a list of numbers. The item types of points and paths are
@@ -205,7 +253,7 @@ static void read_word(const value *v, const sph2d__node *node, void *slot)
 void sph2d__convert_value(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node, const char *path,
                           void *out)
 {
-    value v = {converter, key, path};
+    value v = {converter, key, path, 0};
     void *slot = (char *)out + key->offset;
     switch (key->kind) {
     case SPH2D_KEY_NUMBER:
