@@ -67,7 +67,8 @@ static void append_word(char *list, size_t size, const char *word)
     snprintf(list + used, size - used, "%s%s", used > 0 ? ", " : "", word);
 }
 
-void sph2d__suggest_key(sph2d_diagnostic *diagnostic, const char *name, const sph2d_keys *keys)
+void sph2d__suggest_key(sph2d_diagnostic *diagnostic, const char *name, const sph2d_keys *keys, const sph2d_keys *top,
+                        const char *elsewhere)
 {
     if (!diagnostic)
         return;
@@ -83,6 +84,10 @@ void sph2d__suggest_key(sph2d_diagnostic *diagnostic, const char *name, const sp
         sph2d_diagnostic_hint(diagnostic, "did you mean '%s'?", best.text);
         return;
     }
+    if (elsewhere[0]) {
+        sph2d_diagnostic_hint(diagnostic, "%s", elsewhere);
+        return;
+    }
     for (size_t i = 0; i < keys->count; ++i) {
         const sph2d_keys *inner = keys->items[i].kind == SPH2D_KEY_GROUP ? keys->items[i].keys : NULL;
         for (size_t k = 0; inner && k < inner->count; ++k)
@@ -91,6 +96,12 @@ void sph2d__suggest_key(sph2d_diagnostic *diagnostic, const char *name, const sp
                 return;
             }
     }
+    for (size_t i = 0; i < top->count; ++i)
+        if (strcmp(top->items[i].name, name) == 0) {
+            sph2d_diagnostic_hint(diagnostic, "'%s' is no part of a group: indent it like the first key of the file",
+                                  name);
+            return;
+        }
     sph2d_diagnostic_hint(diagnostic, "keys here: %s", list);
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/suggest.h"
+#include "files/foreign.h"
 
 /** Maximum number of keys of a struct; a test checks the table. */
 enum { MAX_KEYS = 64 };
@@ -55,7 +56,15 @@ static void report_unknown(sph2d__converter *c, const level *m, const sph2d__nod
 {
     sph2d_diagnostic *d =
         sph2d__fault(c->faults, SPH2D_CODE_UNKNOWN_KEY, child->key_place, path, "unknown key '%.60s'", child->key);
-    sph2d__suggest_key(d, child->key, m->keys);
+    const sph2d_key *key = NULL;
+    const char *known = c->keys == sph2d_scene_keys() ? sph2d__foreign_path(child->key, m->keys, &key) : NULL;
+    char elsewhere[160] = "";
+    if (known)
+        snprintf(elsewhere, sizeof elsewhere, "did you mean '%s'%s%s?", known, key->unit[0] ? ", in " : "", key->unit);
+    if (known && key_index(m->keys, known) < key_count(m->keys))
+        sph2d_diagnostic_hint(d, "%s", elsewhere);
+    else
+        sph2d__suggest_key(d, child->key, m->keys, c->keys, elsewhere);
 }
 
 static void report_duplicate(sph2d__converter *c, const sph2d__node *child, const sph2d__node *first, const char *path)

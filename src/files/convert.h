@@ -11,6 +11,7 @@
 typedef struct sph2d__converter {
     sph2d__pool *pool; /**< owns the lists and texts that the structs point to */
     sph2d__faults *faults;
+    const sph2d_keys *keys; /**< at the top of the file */
 } sph2d__converter;
 
 /** Key paths are truncated to this size; those of diagnostics are shorter. */

@@ -106,7 +106,7 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
     if (status != SPH2D_OK)
         return status;
     keys->set_default(&file->scene);
-    sph2d__converter converter = {&file->document.pool, faults};
+    sph2d__converter converter = {&file->document.pool, faults, sph2d_scene_keys()};
     sph2d__convert_mapping(&converter, keys, root, "", &file->scene);
     if (faults->short_of_memory)
         return SPH2D_NOMEM;

@@ -59,7 +59,7 @@ static bool complete(sph2d_study_file *file)
 static sph2d_status read_study(void *owner, sph2d__faults *faults)
 {
     sph2d_study_file *file = owner;
-    sph2d__converter converter = {&file->document.pool, faults};
+    sph2d__converter converter = {&file->document.pool, faults, sph2d_study_keys()};
     sph2d_study_keys()->set_default(&file->study);
     sph2d__convert_mapping(&converter, sph2d_study_keys(), file->document.root, "", &file->study);
     sph2d__study_target(&file->study);
