@@ -75,7 +75,7 @@
     X(twins)                                                                                                           \
     X(scene_keys)                                                                                                      \
     X(scene_check)                                                                                                     \
-    X(scene_file) X(quantity) X(foreign)                                                                               \
+    X(scene_file) X(quantity) X(foreign) X(mistakes)                                                                   \
     X(overrides)                                                                                                       \
     X(scene_text)                                                                                                      \
     X(materials)                                                                                                       \

@@ -8,6 +8,7 @@
 
 #include "base/suggest.h"
 #include "files/foreign.h"
+#include "files/yaml_hint.h"
 
 /** Maximum number of keys of a struct; a test checks the table. */
 enum { MAX_KEYS = 64 };
@@ -54,8 +55,14 @@ static const char *on_line(const sph2d__node *node, char out[32])
 
 static void report_unknown(sph2d__converter *c, const level *m, const sph2d__node *child, const char *path)
 {
+    if (child->kind == SPH2D__NODE_FAULTY) { /* `<<: *other`: told, and the keys that it would bring are missing */
+        sph2d__faults_mark_invalid(c->faults, m->path);
+        return;
+    }
     sph2d_diagnostic *d =
         sph2d__fault(c->faults, SPH2D_CODE_UNKNOWN_KEY, child->key_place, path, "unknown key '%.60s'", child->key);
+    if (!d || sph2d__yaml_hint_word(d, child->key))
+        return;
     const sph2d_key *key = NULL;
     const char *known = c->keys == sph2d_scene_keys() ? sph2d__foreign_path(child->key, m->keys, &key) : NULL;
     char elsewhere[160] = "";
@@ -99,6 +106,27 @@ static bool excluded(sph2d__converter *c, const level *m, size_t index, const sp
     return true;
 }
 
+/** Reports what is no list, or no mapping, and says how one is written. */
+static void report_kind(sph2d__converter *c, const sph2d_key *key, const sph2d__node *node, const char *path, bool list)
+{
+    sph2d_diagnostic *d = sph2d__convert_wrong_type(c, key, node, path, list ? "a list" : "a mapping");
+    const bool item = !list && key->kind == SPH2D_KEY_LIST;
+    const char *first = node->first && node->first->key ? node->first->key : key->keys->items[0].name;
+    if (!d || sph2d__yaml_hint_word(d, node->kind == SPH2D__NODE_SCALAR ? node->text : first))
+        return;
+    if (list && node->kind == SPH2D__NODE_MAPPING && node->count > 0 && !node->flow)
+        sph2d_diagnostic_hint(d, "begin each item of a list by a dash and a blank: - %.60s: ...", first);
+    else if (list)
+        sph2d_diagnostic_hint(d, "a list has items: %s: [{%.60s: ...}]", key->name, first);
+    else if (node->kind == SPH2D__NODE_SEQUENCE && !node->flow)
+        sph2d_diagnostic_hint(d, "leave the dashes out: %s%s has keys, not items", item ? "an item of " : "",
+                              key->name);
+    else if (sph2d__node_is_null(node) && !item)
+        sph2d_diagnostic_hint(d, "indent its keys below it, by two blanks more");
+    else
+        sph2d_diagnostic_hint(d, "%s%s has keys: {%s: ...}", item ? "an item of " : "", key->name, first);
+}
+
 static void store_list(const sph2d_key *key, const void *items, size_t count, void *out)
 {
     memcpy((char *)out + key->offset, &items, sizeof items);
@@ -138,7 +166,7 @@ static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d_
         return;
     }
     if (node->kind != SPH2D__NODE_SEQUENCE) {
-        sph2d__convert_wrong_type(c, key, node, path, "a list");
+        report_kind(c, key, node, path, true);
         return;
     }
     size_t size = key->keys->size;
@@ -157,7 +185,7 @@ static void convert_list(sph2d__converter *c, const sph2d_key *key, const sph2d_
         if (child->kind == SPH2D__NODE_MAPPING)
             sph2d__convert_mapping(c, key->keys, child, item_path, item);
         else
-            sph2d__convert_wrong_type(c, key, child, item_path, "a mapping");
+            report_kind(c, key, child, item_path, false);
     }
     store_list(key, items, index, out);
 }
@@ -228,7 +256,7 @@ static void convert_key(sph2d__converter *c, const sph2d_key *key, const sph2d__
     else if (node->kind == SPH2D__NODE_MAPPING)
         sph2d__convert_mapping(c, key->keys, node, path, (char *)out + key->offset);
     else
-        sph2d__convert_wrong_type(c, key, node, path, "a mapping");
+        report_kind(c, key, node, path, false);
 }
 
 static void report_missing(sph2d__converter *c, const level *m)

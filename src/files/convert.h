@@ -26,9 +26,9 @@ void sph2d__convert_mapping(sph2d__converter *converter, const sph2d_keys *keys,
 void sph2d__convert_value(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node, const char *path,
                           void *out);
 
-/** Reports that a node has the wrong type for a key. */
-void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
-                               const char *path, const char *expected);
+/** Reports that a node has the wrong type for a key. Returns the diagnostic, NULL where the node was reported already. */
+sph2d_diagnostic *sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
+                                            const char *path, const char *expected);
 
 /** Expands short forms of groups, `fluid: water`, to mappings, `fluid: {material: water}`, and notes the other words of keys. */
 void sph2d__convert_words(sph2d__node *mapping, const sph2d_keys *keys, sph2d__faults *faults);

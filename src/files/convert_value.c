@@ -23,9 +23,8 @@ static void hint_key(sph2d_diagnostic *diagnostic, const sph2d_key *key)
     sph2d_diagnostic_hint(diagnostic, "%s: %s%s%s", key->name, key->text, key->unit[0] ? ", in " : "", key->unit);
 }
 
-/** Reports the wrong type; NULL where that was done already. */
-static sph2d_diagnostic *wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
-                                    const char *path, const char *expected)
+sph2d_diagnostic *sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
+                                            const char *path, const char *expected)
 {
     sph2d__faults_mark_invalid(converter->faults, path);
     if (node->kind == SPH2D__NODE_FAULTY)
@@ -35,12 +34,6 @@ static sph2d_diagnostic *wrong_type(sph2d__converter *converter, const sph2d_key
                                        "expected %s, got %s", expected, sph2d__node_describe(node, got, sizeof got));
     hint_key(d, key);
     return d;
-}
-
-void sph2d__convert_wrong_type(sph2d__converter *converter, const sph2d_key *key, const sph2d__node *node,
-                               const char *path, const char *expected)
-{
-    wrong_type(converter, key, node, path, expected);
 }
 
 /** The unit of a column: the units of a tuple stand between commas, unless all have one. */
@@ -55,7 +48,7 @@ static const char *unit_of(const sph2d_key *key, size_t column, char out[32])
 
 static void wrong_number(const value *v, const sph2d__node *node, const char *expected)
 {
-    sph2d_diagnostic *d = wrong_type(v->converter, v->key, node, v->path, expected);
+    sph2d_diagnostic *d = sph2d__convert_wrong_type(v->converter, v->key, node, v->path, expected);
     char unit[32], advice[160];
     double number;
     if (!d || node->kind != SPH2D__NODE_SCALAR)
@@ -147,7 +140,7 @@ static bool is_tuple(const value *v, const sph2d__node *node, size_t count, cons
 {
     if (node->kind == SPH2D__NODE_SEQUENCE && node->count == count)
         return true;
-    hint_tuple(wrong_type(v->converter, v->key, node, v->path, expected), node, count);
+    hint_tuple(sph2d__convert_wrong_type(v->converter, v->key, node, v->path, expected), node, count);
     return false;
 }
 

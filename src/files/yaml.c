@@ -3,6 +3,7 @@
  *  The only file that uses libfyaml. It handles the parser's events, not its documents, so that duplicate keys can be
  *  reported with all other errors, nothing recurses, and aliases cannot expand without bound. */
 #include "files/document.h"
+#include "files/yaml_hint.h"
 
 #include <errno.h>
 #include <libfyaml.h>
@@ -33,10 +34,17 @@ static sph2d__place place_at(const builder *b, size_t offset)
     return (sph2d__place){b->source, offset};
 }
 
+/** Reports what a scene must not have, and what to do. */
+static void refuse(builder *b, size_t offset, const char *message, const char *hint)
+{
+    sph2d_diagnostic *d = sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "%s", message);
+    sph2d_diagnostic_hint(d, hint ? "%s" : NULL, hint);
+}
+
 /** Reports an error that ends the parsing. */
 static void stop(builder *b, size_t offset, const char *message)
 {
-    sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "%s", message);
+    refuse(b, offset, message, NULL);
     b->status = SPH2D_SCENE;
 }
 
@@ -64,14 +72,12 @@ static size_t token_offset(struct fy_token *token, size_t otherwise)
 /** Reports anchors and tags; the node itself is valid. Their positions are after `&` and `!`. */
 static void refuse_properties(builder *b, struct fy_token *anchor, struct fy_token *tag)
 {
-    if (anchor) {
-        size_t offset = token_offset(anchor, b->last);
-        sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "anchors (&name) are not allowed");
-    }
-    if (tag) {
-        size_t offset = token_offset(tag, b->last);
-        sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "tags (!name) are not allowed");
-    }
+    if (anchor)
+        refuse(b, token_offset(anchor, b->last), "anchors (&name) are not allowed",
+               "write the value again where it is used; a text that begins with & belongs into quotes");
+    if (tag)
+        refuse(b, token_offset(tag, b->last), "tags (!name) are not allowed",
+               "leave it out; a text that begins with ! belongs into quotes");
 }
 
 /** Adds a new node to the tree. NULL if the parsing must stop. */
@@ -153,8 +159,10 @@ static void handle_event(builder *b, struct fy_event *event)
     size_t offset = b->last = mark ? mark->input_pos : b->last;
     switch (event->type) {
     case FYET_DOCUMENT_START:
-        if (b->ended)
-            stop(b, offset, "a second document: a scene must be one document");
+        if (b->ended) {
+            refuse(b, offset, "a second document: a scene must be one document", "put it into a file of its own");
+            b->status = SPH2D_SCENE;
+        }
         break;
     case FYET_DOCUMENT_END:
         b->ended = true;
@@ -179,7 +187,7 @@ static void handle_event(builder *b, struct fy_event *event)
         handle_scalar(b, event->scalar.value, offset);
         break;
     case FYET_ALIAS:
-        sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "aliases (*name) are not allowed");
+        refuse(b, offset, "aliases (*name) are not allowed", "write the value itself here");
         add_node(b, SPH2D__NODE_FAULTY, offset);
         break;
     default:
@@ -197,10 +205,18 @@ static void report_syntax(builder *b, struct fy_diag *diag)
             continue;
         size_t offset = token_offset(e->fyt, b->last);
         sph2d__node *innermost = b->depth > 0 ? b->open[b->depth - 1] : NULL;
-        if (offset >= b->source->length && innermost && innermost->flow)
-            stop(b, innermost->place.offset, "the bracket that opens here is not closed");
+        const bool open = offset >= b->source->length && innermost && innermost->flow;
+        const char *message = open     ? "the bracket that opens here is not closed"
+                              : e->msg ? e->msg
+                                       : "not well-formed YAML";
+        if (open)
+            offset = innermost->place.offset;
+        sph2d_diagnostic *d = sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "%s", message);
+        if (open)
+            sph2d_diagnostic_hint(d, "close it by %c", b->source->text[offset] == '[' ? ']' : '}');
         else
-            stop(b, offset, e->msg ? e->msg : "not well-formed YAML");
+            sph2d__yaml_hint(d, b->source, offset, message);
+        b->status = SPH2D_SCENE;
     }
     if (b->faults->errors == before)
         stop(b, b->last, "not well-formed YAML");
