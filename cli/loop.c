@@ -74,8 +74,14 @@ static bool follow_step(between *b, const sph2d_sim *sim)
 {
     const double time = sph2d_sim_time(sim), until = sph2d_sim_scene(sim)->run.until;
     const sph2d_status status = write_due(b->outputs, b->result, b->report);
-    progress_update(b->progress, time, "t %.4g of %.4g s  step %" PRIu64 "  %zu particles", time, until,
-                    sph2d_sim_steps(sim), sph2d_sim_fluid(sim).count);
+    const size_t particles = sph2d_sim_fluid(sim).count;
+    const progress_fact facts[] = {{"time", time, NULL},
+                                   {"until", until, NULL},
+                                   {"steps", (double)sph2d_sim_steps(sim), NULL},
+                                   {"particles", (double)particles, NULL},
+                                   {NULL, 0, NULL}};
+    progress_update(b->progress, time, facts, "t %.4g of %.4g s  step %" PRIu64 "  %zu particles", time, until,
+                    sph2d_sim_steps(sim), particles);
     if (status != SPH2D_OK)
         fail(b->result, status);
     else if (b->deadline > 0 && !loop_done(sim) && clock_wall() >= b->deadline)

@@ -132,16 +132,20 @@ static void put_object(const void *what, FILE *out)
 }
 
 /* Composed first, so that the object reaches stderr in one write; directly if memory is short. */
-static void write_object(const char *severity, const sph2d_diagnostic *d)
+static void write_composed(void (*put)(const void *what, FILE *out), const void *what)
 {
-    const object o = {severity, d};
     size_t length = 0;
-    char *text = compose(put_object, &o, &length);
+    char *text = compose(put, what, &length);
     if (text)
         fwrite(text, 1, length, stderr);
     else
-        put_object(&o, stderr);
+        put(what, stderr);
     free(text);
+}
+
+static void write_object(const char *severity, const sph2d_diagnostic *d)
+{
+    write_composed(put_object, &(const object){severity, d});
 }
 
 static void write_diagnostic(const sph2d_diagnostic *diagnostic)
@@ -278,7 +282,29 @@ static void draw_bar(double done, const char *detail, const char *left)
     message_status(line);
 }
 
-void progress_update(cli_progress *p, double now, const char *format, ...)
+/* A line of progress as JSON. */
+typedef struct stand {
+    double done, elapsed, remaining;
+    const progress_fact *facts;
+} stand;
+
+static void put_stand(const void *what, FILE *out)
+{
+    const stand *s = what;
+    cli_json line = json_begin(out);
+    json_text(&line, "severity", "progress");
+    json_number(&line, "ratio", s->done);
+    json_number(&line, "elapsed_seconds", s->elapsed);
+    json_number(&line, "remaining_seconds", s->remaining);
+    for (const progress_fact *f = s->facts; f->key; ++f)
+        if (f->text)
+            json_text(&line, f->key, f->text);
+        else
+            json_number(&line, f->key, f->number);
+    json_end(&line);
+}
+
+void progress_update(cli_progress *p, double now, const progress_fact *facts, const char *format, ...)
 {
     if (p->form == PROGRESS_OFF)
         return;
@@ -292,13 +318,19 @@ void progress_update(cli_progress *p, double now, const char *format, ...)
         return;
     p->printed = clock;
     p->printed_tenth = tenth;
+    const double elapsed = clock - p->begun, remaining = done > 0 ? elapsed * (1 - done) / done : NAN;
+    if (style.json) {
+        if (!style.quiet)
+            write_composed(put_stand, &(const stand){done, elapsed, remaining, facts});
+        return;
+    }
     char detail[LINE_SIZE / 2];
     va_list values;
     va_start(values, format);
     vsnprintf(detail, sizeof detail, format, values);
     va_end(values);
     char left[TEXT_SIZE];
-    text_seconds(left, done > 0 ? (clock - p->begun) * (1 - done) / done : -1);
+    text_seconds(left, done > 0 ? remaining : -1);
     if (p->form == PROGRESS_BAR)
         draw_bar(done, detail, left);
     else

@@ -50,8 +50,17 @@ typedef struct cli_progress {
 /** Starts; this session works from `from` to `to`. */
 cli_progress progress_begin(const cli_options *options, double from, double to);
 
-/** Prints the progress `now` when it is due, with a detail in printf's format, such as "t 0.2 of 1 s". */
-void progress_update(cli_progress *p, double now, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/** A fact of a line of progress, a text or a number. */
+typedef struct progress_fact {
+    const char *key;
+    double number;
+    const char *text; /**< NULL: the number */
+} progress_fact;
+
+/** Prints the progress `now` when it is due, with a detail in printf's format, such as "t 0.2 of 1 s"; with --json an object
+ *  with the facts, which one without a key ends. */
+void progress_update(cli_progress *p, double now, const progress_fact *facts, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /** Removes the bar. */
 void progress_end(cli_progress *p);

@@ -194,7 +194,9 @@ static void count_frame(worker *w, sph2d_status status)
         return;
     }
     ++s->drawn;
-    progress_update(&s->progress, (double)s->drawn, "frame %zu of %zu", s->drawn, s->inputs.count);
+    const progress_fact facts[] = {
+        {"frames_drawn", (double)s->drawn, NULL}, {"frames", (double)s->inputs.count, NULL}, {NULL, 0, NULL}};
+    progress_update(&s->progress, (double)s->drawn, facts, "frame %zu of %zu", s->drawn, s->inputs.count);
 }
 
 /* Finds one range of colours for all frames, by reading the snapshots once more, so that a colour means the same in each.

@@ -28,9 +28,14 @@ static bool go_on(void *user, const sph2d_study_run *run, const sph2d_sim *sim)
         w->progress = progress_begin(w->study->options, 0, until);
         w->progress.printed_tenth = 10; /* rows are printed anyway: lines come only where one takes long */
     }
+    const progress_fact facts[] = {{"row", 0, run->name},
+                                   {"time", time, NULL},
+                                   {"until", until, NULL},
+                                   {"steps", (double)sph2d_sim_steps(sim), NULL},
+                                   {NULL, 0, NULL}};
     if (w->study->jobs == 1)
-        progress_update(&w->progress, time, "t %.4g of %.4g s  step %" PRIu64 "  %s", time, until, sph2d_sim_steps(sim),
-                        run->name);
+        progress_update(&w->progress, time, facts, "t %.4g of %.4g s  step %" PRIu64 "  %s", time, until,
+                        sph2d_sim_steps(sim), run->name);
     return signals_caught() == 0 && getppid() == w->parent;
 }
 

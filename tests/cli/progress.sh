@@ -12,7 +12,18 @@ says '^sph2d:  50 %  .* left  t 0.2'
 grep -q "$escape" err && fail 'escape sequences in a file'
 expect 0 "$SPH2D" "$@" -o never --progress never
 grep -q ' left  t ' err && fail 'progress all the same'
-expect 0 "$SPH2D" "$@" -o json --json && says '"severity": "note".* 50 %'
+expect 0 "$SPH2D" "$@" -o json --json
+number='-\{0,1\}[0-9][0-9.e+-]*'
+says "^{\"severity\": \"progress\", \"ratio\": 0.5[0-9]*, \"elapsed_seconds\": $number, \"remaining_seconds\": $number, \
+\"time\": 0.2[0-9]*, \"until\": 0.4, \"steps\": [0-9]*, \"particles\": [0-9]*}$"
+[ "$(grep -c '"severity": "progress"' err)" -ge 9 ] || fail 'not an object each tenth of the way'
+grep -q ' left  t ' err && fail 'a text in place of numbers'
+expect 0 "$SPH2D" "$@" -o quiet --json --quiet && silent
+expect 0 "$SPH2D" "$@" -o forced --json --progress always && says '"severity": "progress", "ratio": 1, '
+if can_draw; then
+    expect 0 "$SPH2D" render json -o drawn --json --size 64x64
+    says '"severity": "progress", .*, "frames_drawn": 11, "frames": 11}'
+fi
 expect 0 "$SPH2D" "$@" -o always --progress always -s run.until=4 && says '\[=*>* *\] .* left'
 
 script -qec true /dev/null >/dev/null 2>&1 </dev/null || exit 77 # no such command, or no pseudo-terminals here
