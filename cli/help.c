@@ -10,6 +10,7 @@
 #include <sph2d/version.h>
 
 #include "build.h"
+#include "completion.h"
 #include "exit.h"
 #include "frame.h"
 #include "frame_writer.h"
@@ -240,7 +241,7 @@ static void print_option_of(const cli_command *command, const option_row *row)
  *      option  COMMAND LETTER NAME ARGUMENT WORDS TEXT      -o --output DIR
  *
  * for each command and each option of it. WORDS are the values that it can have, between spaces. `sph2d help completions`
- * prints the topics of help after them. */
+ * prints the topics of help after them; with the name of a file, lines about the scene there (completion.h). */
 static void print_commands(void)
 {
     for (size_t i = 0; i < CLI_COMMAND_COUNT; ++i) {
@@ -389,6 +390,10 @@ int command_help(const cli_options *options)
 {
     if (options->operand_count == 0) {
         help_print();
+        return CLI_EXIT_SUCCESS;
+    }
+    if (options->operand_count == 2 && strcmp(options->operands[0], "completions") == 0) {
+        completion_print(options->operands[1]);
         return CLI_EXIT_SUCCESS;
     }
     if (options->operand_count > 1) {

@@ -51,17 +51,64 @@ _sph2d_words() { # WORD...
     done
 }
 
+# What the command tells of the scene on the line, or of any: its keys or its names.
+_sph2d_scene() { # KIND
+    local kind rest real=$scene
+    # shellcheck disable=SC2088 # as it was typed
+    [ "${real:0:2}" != '~/' ] || real=$HOME/${real:2}
+    while IFS= read -r rest; do
+        kind=${rest%%$'\t'*}
+        [ "$kind" != "$1" ] || printf '%s\n' "${rest#*$'\t'}"
+    done < <("$program" help completions "$real" 2>/dev/null || sph2d help completions "$real" 2>/dev/null)
+}
+
+# A key and its value: names up to the next point, then words.
+_sph2d_setting() {
+    local path listed candidate
+    local -A offered=()
+    [[ $value == *=* ]] || compopt -o nospace
+    while IFS=$'\t' read -r path listed; do
+        if [[ $value == *=* ]]; then
+            [[ $path != "${value%%=*}" || $listed == - ]] || for candidate in $listed; do
+                _sph2d_words "$path=$candidate"
+            done
+        elif [[ $path == "$value"* ]]; then
+            candidate=${path#"$value"}
+            case $candidate in
+            *.*) candidate=$value${candidate%%.*}. ;;
+            *) candidate=$path= ;;
+            esac
+            [ "${offered[$candidate]-}" ] || COMPREPLY+=("$candidate")
+            offered[$candidate]=yes
+        fi
+    done < <(_sph2d_scene key)
+}
+
 # The value of an option.
 _sph2d_value() { # NAME
     local -a listed
-    case ${arguments[$1]} in
-    DIR) _sph2d_paths ;;
-    FILE) _sph2d_paths '*' ;;
+    case ${arguments[$1]}/$1 in
+    DIR/*) _sph2d_paths ;;
+    FILE/*) _sph2d_paths '*' ;;
+    KEY=VALUE/*) _sph2d_setting ;;
+    */--follow)
+        mapfile -t listed < <(_sph2d_scene name)
+        _sph2d_words "${listed[@]}"
+        ;;
     *)
         read -ra listed <<<"${words[$1]}"
         [ "${listed[0]}" = - ] || _sph2d_words "${listed[@]}"
         ;;
     esac
+}
+
+# The series in the folder of the run.
+_sph2d_probes() {
+    local path
+    for path in "$scene"/*.csv; do
+        path=${path##*/}
+        [ "$path" = '*.csv' ] || _sph2d_words "${path%.csv}"
+    done
 }
 
 # What a command takes beside options, which it may have had already.
@@ -70,7 +117,10 @@ _sph2d_operand() { # ALREADY
     case $operands in
     SCENE* | '[SCENE]'* | STUDY*) _sph2d_paths '*.yaml' '*.yml' '*.json' ;;
     SNAPSHOT* | PATH*) _sph2d_paths '*.h5' ;;
-    DIR*) [ "$1" != 0 ] || _sph2d_paths ;; # names of probes may follow
+    DIR*PROBE*)
+        if [ "$1" = 0 ]; then _sph2d_paths; else _sph2d_probes; fi
+        ;;
+    DIR*) _sph2d_paths ;;
     '[TOPIC]') _sph2d_words "${commands[@]}" "${topics[@]}" ;;
     esac
 }
@@ -96,18 +146,32 @@ _sph2d_ask() { # PROGRAM COMMAND
 
 # Completes the last word of a command: $value, after the words from the third to $last.
 _sph2d_after_command() {
-    local k already=0 only_operands='' before=${COMP_WORDS[last]}
+    local k already=0 only_operands='' joins='' unquoted before=${COMP_WORDS[last]}
     for ((k = 2; k <= last; ++k)); do
         case ${COMP_WORDS[k]} in
         --) only_operands=yes ;;
-        [=:]*) k=$((k + 1)) ;; # the rest of the word before
+        [=:]*) # the rest of the word before
+            [ -z "$joins" ] || scene+=${COMP_WORDS[k]}${COMP_WORDS[k + 1]}
+            k=$((k + 1))
+            ;;
         -*)
+            joins=''
             # its value, unless that comes behind a sign of equality
             [[ ${arguments[${COMP_WORDS[k]}]:--} = - || ${COMP_WORDS[k + 1]} == =* ]] || k=$((k + 1))
             ;;
-        *) already=$((already + 1)) ;;
+        *)
+            already=$((already + 1)) joins=''
+            [ "$already" != 1 ] || scene=${COMP_WORDS[k]} joins=yes
+            ;;
         esac
     done
+    # It may come after the cursor.
+    for ((k = COMP_CWORD + 1; k < ${#COMP_WORDS[@]}; ++k)); do
+        [[ $scene || ${COMP_WORDS[k]} == [-=:]* || ${arguments[${COMP_WORDS[k - 1]}]:--} != - ]] || scene=${COMP_WORDS[k]}
+    done
+    unquoted=$value
+    _sph2d_unquote "$scene"
+    scene=$value value=$unquoted
     if [[ $value == --*=* && ! $only_operands ]]; then
         option=${value%%=*} value=${value#*=}
         _sph2d_value "$option"
@@ -123,7 +187,7 @@ _sph2d_after_command() {
 
 _sph2d() {
     local program=$1 word=${COMP_WORDS[COMP_CWORD]} part=${COMP_WORDS[COMP_CWORD]} last=$COMP_CWORD
-    local value operands='' option beginning
+    local value operands='' option beginning scene=''
     local -a commands=() topics=() options=()
     local -A arguments=() words=()
     COMPREPLY=()

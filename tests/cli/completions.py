@@ -11,7 +11,7 @@ import time
 from terminal import Shell
 
 BASH_COMPLETION = "/usr/share/bash-completion/bash_completion"
-SCENES = {"scene.yaml", "data.json", "my scene.yaml", "it's.yaml", "a=b:c.yml", "bäche.yaml"}
+SCENES = {"tank.yaml", "scene.yaml", "data.json", "my scene.yaml", "it's.yaml", "a=b:c.yml", "bäche.yaml"}
 
 # How many of the lines below, the first, are about names of files, which settings of a shell may change.
 FILES = 16
@@ -57,6 +57,27 @@ LINES = [
     ("sph2d run --progress ne\t", "sph2d run --progress never "),
     ("sph2d render --style=po\t", "sph2d render --style=points "),
     ("sph2d init --template dr\t", "sph2d init --template drop "),
+    # keys, with the items that the lists of the scene have, and values
+    ("sph2d run -s spac\t", "sph2d run -s spacing="),
+    ("sph2d run --set=spac\t", "sph2d run --set=spacing="),
+    ("sph2d run -s flu\t", "sph2d run -s fluid"),
+    ("sph2d run -s fluid.den\t", "sph2d run -s fluid.density="),
+    ("sph2d run -s run.fr\t", "sph2d run -s run.frames."),
+    ("sph2d run -s fluid.material=hon\t", "sph2d run -s fluid.material=honey "),
+    ("sph2d run -s fluid=merc\t", "sph2d run -s fluid=mercury "),
+    ("sph2d run --set=method.operators=f\t", "sph2d run --set=method.operators=fitted "),
+    ("sph2d run -s spacing=0\t", "sph2d run -s spacing=0"),
+    ("sph2d run -s xyzzy=\t", None),
+    ("sph2d run tank.yaml -s blocks[1].cir\t", "sph2d run tank.yaml -s blocks[1].circle."),
+    ("sph2d run tank.yaml -s blocks[1].bo\t", "sph2d run tank.yaml -s blocks[1].bo"),  # it is a circle
+    ("sph2d run tank.yaml -s blocks[2].v\t", "sph2d run tank.yaml -s blocks[2].v"),  # there is none
+    ("sph2d run -s spacing=0.1 tank.yaml -s obstacles[0].liquid=bo\t",
+     "sph2d run -s spacing=0.1 tank.yaml -s obstacles[0].liquid=both "),
+    ("sph2d run -s blocks[1].ci tank.yaml" + 10 * "\x02" + "\t", "sph2d run -s blocks[1].circle. tank.yaml"),
+    ("sph2d resume folder -s run.\t", "sph2d resume folder -s run.until="),
+    ("sph2d render tank.yaml --follow ga\t", "sph2d render tank.yaml --follow gate "),
+    ("sph2d plot folder en\t", "sph2d plot folder energy "),
+    ("sph2d plot folder energy ga\t", "sph2d plot folder energy gauge "),
     ("sph2d help mat\t", "sph2d help materials "),
     ("sph2d help inf\t", "sph2d help info "),
     ("sph2d help scene.m\t", "sph2d help scene.m"),
@@ -90,6 +111,9 @@ def table():
 def check_table(commands, topics):
     """The table against help, and the words against what the parser takes and says."""
     shown = set(re.findall(r"^  (\w+) ", told("help"), re.M))
+    shown_keys = {line.split(":")[0].split()[0] for line in told("help", "scene").splitlines() if line[0] not in " -"}
+    paths = {line.split("\t")[1] for line in told("help", "completions", "").splitlines()}
+    assert {re.split(r"[.[]", path)[0] for path in paths} == shown_keys, shown_keys
     assert set(commands) == shown, (set(commands), shown)
     listed = set(re.findall(r"or: ([\w., ]+)$", told("help"), re.M)[0].split(", "))
     assert topics == listed, (topics, listed)
@@ -111,8 +135,8 @@ def check_table(commands, topics):
 def check_lines(shell, kind, lines):
     path = os.path.relpath(shutil.which("sph2d"))
     for keys, wanted in lines:
-        # Whether = and : are quoted depends on where the shell splits words.
-        got = re.sub(r"\\([=:])", r"\1", shell.complete(keys.replace("{path}", path)))
+        # Whether = and : are quoted, and brackets, depends on where the shell splits words.
+        got = re.sub(r"\\([][=:])", r"\1", shell.complete(keys.replace("{path}", path)))
         assert wanted is None or got == wanted.replace("{path}", path), (kind, keys, got, wanted)
 
 
@@ -121,6 +145,12 @@ def check_offers(shell, kind, commands, topics):
     offered = shell.everything("sph2d ") - {"--help", "--version"}
     assert offered == set(commands), (kind, offered)
     assert shell.everything("sph2d help ") == topics | set(commands), kind
+    known = {line.split("\t")[1] for line in told("help", "completions", "").splitlines() if line.startswith("key\t")}
+    firsts = {key.split(".")[0] + "." if "." in key else key + "=" for key in known}
+    offered = {word.replace("\\", "") for word in shell.everything("sph2d run -s ")}
+    assert offered == firsts and len(firsts) > 30, (kind, offered ^ firsts)
+    offered = shell.everything("sph2d run -s walls=")
+    assert {word.split("=")[-1] for word in offered} == {"default", "spring", "heavy", "reflect", "generalised"}, (kind, offered)
     known = set()
     for name, (operands, options) in commands.items():
         offered = {word.rstrip("=") for word in shell.everything(f"sph2d {name} --")}

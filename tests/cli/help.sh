@@ -23,6 +23,19 @@ sed -n '/^openings:/,/^obstacles:/p' all | sed '$d' | cmp - some || fail 'other 
 expect 0 "$SPH2D" help spacing && lines 1
 expect 0 "$SPH2D" help scene && prints 'dynamic_viscosity .*\[Pa s\]; at least 0; default 0.001'
 
+
+# What completions of shells ask: keys with the items of a scene's lists, of any scene where there is none.
+tab=$(printf '\t')
+expect 0 "$SPH2D" help completions "$TINY" && prints "^key${tab}obstacles\[0\].liquid${tab}auto left right both inside$"
+! grep -q 'obstacles\[1\]' out || fail 'an obstacle that the scene has not'
+prints "^key${tab}fluid${tab}none water " && prints "^key${tab}spacing${tab}-$"
+mkfifo pipe
+for none in '' missing pipe "$SPH2D"; do expect 0 "$SPH2D" help completions "$none" && prints "^key${tab}blocks\[0\].box.min" && silent; done
+mkdir folder
+expect 0 "$SPH2D" help completions folder && lines 1 && prints "^key${tab}run.until${tab}-$"
+expect 64 "$SPH2D" help completions folder folder && says 'one topic'
+rm -r folder pipe
+
 expect 0 "$SPH2D" help materials && prints '^water  *998.2  *0.0010016  *0.07274  *IAPWS'
 prints '^blood  *1051  *see below  *0.0526  *human, at 37 C; Cho & Kensey 1991'
 prints '^blood  *carreau, dynamic_viscosity 0.056, infinite_viscosity 0.00345, relaxation_time 3.313, index 0.3568$'
