@@ -22,6 +22,7 @@ docdir ?= $(datadir)/doc/sph2d
 bashcompletiondir ?= $(datadir)/bash-completion/completions
 zshcompletiondir ?= $(datadir)/zsh/site-functions
 pkgconfigdir ?= $(libdir)/pkgconfig
+cmakedir ?= $(libdir)/cmake/sph2d
 # Where the first Python looks for modules below the prefix. The package of NumPy is for that of the system alone.
 PYTHONS := $(or $(PYTHON),python3 /usr/bin/python3)
 python_folders = import sys; [print(d) for d in sys.path if d.startswith("$(prefix)/lib") and d.endswith("-packages")]
@@ -158,7 +159,7 @@ PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/words.sh tests/symbols.sh tests/units.sh tests/mutants.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
+    tests/golden/*.sh tests/python/*.sh tests/cmake/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/words.sh tests/symbols.sh tests/units.sh tests/mutants.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -391,6 +392,8 @@ last_stage = @test ! -e $(FAILED) || { echo 'make $@: failed:' && cat $(FAILED) 
 PYTHON_SANITIZED = $(if $(SANITIZE),LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) \
     $$($(CC) -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0)
 WITH_NUMPY = $(firstword $(shell for p in $(PYTHONS); do "$$p" -c 'import numpy' 2>/dev/null && echo "$$p"; done))
+# Not by the name that make runs lines for in a dry run, too.
+THIS_MAKE := $(MAKE)
 # Two tiers: what every change must pass, within minutes, and what takes longer.
 TESTED := $(BUILD)/sph2d $(BUILD)/tests/check_all $(if $(GOLDEN),$(BUILD)/tests/golden) $(FUZZ_BIN) $(FAULTS) \
     $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so)
@@ -408,8 +411,9 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	$(if $(and $(SANITIZE),$(CLANG)),,$(call stage,SPH2D=$(abspath $(BUILD)/sph2d) CC='$(CC)' $(PYTHON_SANITIZED) \
 	    tests/python/run.sh '$(WITH_NUMPY)' $(BUILD)))
 	$(if $(and $(WITH_RENDER),$(if $(SANITIZE),,1)),$(call stage,tests/recipes/tutorial.sh $(BUILD)/sph2d '$(WITH_NUMPY)' \
-	    $(BUILD)/tutorial '$(MAKE)'))
+	    $(BUILD)/tutorial '$(THIS_MAKE)'))
 	$(if $(SANITIZE),,$(call stage,tests/python/wheel.sh '$(PYTHONS)' $(BUILD)/wheel))
+	$(if $(SANITIZE),,$(call stage,tests/cmake/cmake.sh $(BUILD)/cmake '$(THIS_MAKE)' '$(BUILD)' '$(CC)'))
 	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
 	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
@@ -668,9 +672,9 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
 C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(STRANGERS_SRC) $(HARD_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) \
-    $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c tests/ports/core_scenes.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
+    $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c tests/ports/core_scenes.c tests/cmake/parts.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
-    tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/ports/*.[ch] tests/fuzz/*.h tests/hard/cases/*.h))
+    tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/cmake/*.c tests/ports/*.[ch] tests/fuzz/*.h tests/hard/cases/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
     $(TEST_FLAGS) $(OMP_CFLAGS)
 # cppcheck leaves the tests to clang-tidy: it does not see that a failed ck_assert does not return.
@@ -710,15 +714,19 @@ empty :=
 pc_path = $(subst $(empty) ,\\ ,$(subst |,\|,$(subst &,\&,$(subst \,\\\\,$(subst $(prefix)/,$${prefix}/,$(1))))))
 pc_fill = sed 's|@prefix@|$(call pc_path,$(prefix))|; s|@libdir@|$(call pc_path,$(libdir))|; \
     s|@includedir@|$(call pc_path,$(includedir))|; s|@version@|$(VERSION)|g; s|@gl@|$(GL)|; s|@openmp@|$(if $(WITH_OPENMP),-fopenmp)|'
+# Those of CMake find the libraries from where they are themselves.
+to_folder = $(shell realpath -m -s --relative-to='$(cmakedir)' '$(1)')
+cmake_fill = sed 's|@to_lib@|$(call to_folder,$(libdir))|; s|@to_include@|$(call to_folder,$(includedir))|; s|@version@|$(VERSION)|; \
+    s|@gl@|$(GL)|; s|@openmp@|$(if $(WITH_OPENMP),-fopenmp)|'
 MAN_PAGES := $(sort $(wildcard cli/*.1 cli/*.3 cli/*.5))
 man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
 # In the folders that they have here, so that their links hold.
 DOC_FILES := LICENSE README.md CHANGELOG.md $(sort $(wildcard docs/*.md docs/*.gif docs/*.png docs/gallery/*.png docs/notes/*.md examples/*.* \
-    $(foreach e,yaml csv py md,examples/*/*.$(e))))
+    $(foreach e,yaml csv py md txt,examples/*/*.$(e))))
 MODULE_FILES := $(sort $(wildcard python/sph2d/*.py python/sph2d/py.typed))
 D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR
-	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(includedir)/sph2d' '$D$(pythondir)/sph2d' \
+	$(INSTALL) -d '$D$(bindir)' '$D$(libdir)' '$D$(pkgconfigdir)' '$D$(cmakedir)' '$D$(includedir)/sph2d' '$D$(pythondir)/sph2d' \
 	    $(foreach p,$(MAN_PAGES),'$(call man_dir,$(p))') '$D$(bashcompletiondir)' '$D$(zshcompletiondir)' \
 	    '$D$(datadir)/sph2d' $(foreach d,$(sort $(dir $(DOC_FILES))),'$D$(docdir)/$(d)')
 	$(INSTALL) -m 755 $(BUILD)/sph2d '$D$(bindir)/sph2d'
@@ -728,6 +736,7 @@ install: all ## to prefix (/usr/local), below DESTDIR
 	$(INSTALL) -m 644 $(HEADERS) '$D$(includedir)/sph2d'
 	$(INSTALL) -m 644 $(MODULE_FILES) '$D$(pythondir)/sph2d'
 	$(foreach l,$(LIBRARIES:lib%=%),$(pc_fill) src/$(l).pc.in | $(INSTALL) -m 644 /dev/stdin '$D$(pkgconfigdir)/$(l).pc' &&) true
+	$(foreach f,sph2dConfig sph2dConfigVersion,$(cmake_fill) src/$(f).cmake.in | $(INSTALL) -m 644 /dev/stdin '$D$(cmakedir)/$(f).cmake' &&) true
 	$(foreach p,$(MAN_PAGES),$(INSTALL) -m 644 $(p) '$(call man_dir,$(p))' &&) true
 	$(INSTALL) -m 644 cli/completions/sph2d.bash '$D$(bashcompletiondir)/sph2d'
 	$(INSTALL) -m 644 cli/completions/_sph2d '$D$(zshcompletiondir)'
@@ -746,7 +755,7 @@ uninstall: ## the reverse of install, with the same settings
 	    '$D$(libdir)/$(l).so.$(SOMAJOR)' '$D$(libdir)/$(l).so.$(VERSION)' \
 	    '$D$(pkgconfigdir)/$(l:lib%=%).pc')
 	rm -f '$D$(bashcompletiondir)/sph2d' '$D$(zshcompletiondir)/_sph2d'
-	rm -rf '$D$(pythondir)/sph2d' '$D$(includedir)/sph2d' '$D$(docdir)' '$D$(datadir)/sph2d'
+	rm -rf '$D$(pythondir)/sph2d' '$D$(includedir)/sph2d' '$D$(cmakedir)' '$D$(docdir)' '$D$(datadir)/sph2d'
 
 # ---- the rest --------------------------------------------------------------------------------------------------------
 # The same bytes from the same commit: git takes its time for that of the files.

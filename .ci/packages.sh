@@ -18,6 +18,7 @@ missing_tools() {
     echo '#include <stdio.h>' | $CC -E - >/dev/null 2>&1 || echo libc6-dev
     [ "$OPENMP" = 0 ] || echo '#include <omp.h>' | $CC -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
     ! asked report report-full test test-full test-variants || has gnuplot || echo gnuplot-nox
+    ! asked test test-full test-variants || has cmake || echo cmake
     ! asked test test-full test-variants || has hunspell || printf 'hunspell\nhunspell-en-gb\n'
     if asked test test-full test-variants && [ "$RENDER" != 0 ]; then
         has Xvfb || echo xvfb
@@ -63,8 +64,9 @@ packages=$({ missing_tools && missing_libraries; } | tr '\n' ' ')
 if [ "$(id -u)" = 0 ]; then root=; else root='sudo -n'; fi
 # Without NumPy the tests of the Python module are left out, without jsonschema and PyYAML those of schemas, without hatchling
 # and venv that of its wheel, without h5py and gnuplot those of recipes, without GLFW there is no `play`, without a display no
-# test of it, without ffmpeg none of films, without compilers for other machines none of these: nobody is stopped for them.
-optional='python3-(numpy|h5py|hatchling|venv|jsonschema|yaml)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
+# test of it, without ffmpeg none of films, without CMake none of its files, without compilers for other machines none of
+# these: nobody is stopped for them.
+optional='python3-(numpy|h5py|hatchling|venv|jsonschema|yaml)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|cmake|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
 needed=$(echo "$packages" | tr ' ' '\n' | grep -vxE "$optional|") || true
 if ! has apt-get || ! $root true 2>/dev/null; then
     [ -n "$needed" ] || exit 0

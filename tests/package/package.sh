@@ -159,6 +159,10 @@ as_user 'pkg-config --exists --print-errors "sph2d = '"$version"'" sph2d-io sph2
         if ldd $program | grep libsph2d; then exit 1; fi
     done'
 echo 'programs: ok'
+install_in user cmake.log cmake make
+as_user './embed >expected && cmake -S /usr/share/doc/sph2d/examples/cmake -B out && cmake --build out && out/embed | cmp - expected
+    ldd out/embed | grep -q libsph2d'
+echo 'cmake: ok'
 
 quietly purge.log inside user apt-get -q -y purge sph2d libsph2d0 libsph2d-dev python3-sph2d
 left=$(cd user && find . -name '*sph2d*' ! -path './packages/*' ! -path './home/*')
