@@ -5,6 +5,15 @@
 . "$SPH2D_ROOT/tests/cli/common"
 page=$SPH2D_ROOT/cli/sph2d.1
 
+version=$("$SPH2D" --version | sed -n '1s/^sph2d \([0-9.]*\).*/\1/p')
+{
+    sed -n 's/^version: //p' "$SPH2D_ROOT/CITATION.cff"
+    sed -n '1s/.*(\(.*\)).*/\1/p' "$SPH2D_ROOT/debian/changelog"
+    sed -n 's/.*sph2d-\([0-9.]*\)\.tar\.xz.*/\1/p' "$SPH2D_ROOT/docs/installing.md"
+} >versions
+[ "$(uniq -c versions | xargs)" = "3 $version" ] ||
+    fail "CITATION.cff, debian/changelog, docs/installing.md: another version than $version: $(tr '\n' ' ' <versions)"
+
 for command in $("$SPH2D" --help | sed -n 's/^  \([a-z]*\) .*/\1/p'); do
     grep -q "^\.It Cm $command$" "$page" || fail "the man page has no '$command'"
     "$SPH2D" "$command" --help | sed -n 's/^  .*--\([a-z-]*\).*/\1/p' >>options
