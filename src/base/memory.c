@@ -4,8 +4,9 @@
 #include "base/memory.h"
 
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
+
+#include "base/system.h"
 
 enum { ALIGNMENT = 64 };
 
@@ -15,15 +16,13 @@ static void *resize_aligned(void *user, void *block, size_t old_size, size_t new
     (void)user;
     void *fresh = NULL;
     if (new_size > 0) {
-        if (new_size > SIZE_MAX - ALIGNMENT)
-            return NULL;
-        fresh = aligned_alloc(ALIGNMENT, (new_size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+        fresh = sph2d__aligned_alloc(ALIGNMENT, new_size);
         if (!fresh)
             return NULL;
         if (block)
             memcpy(fresh, block, old_size < new_size ? old_size : new_size);
     }
-    free(block);
+    sph2d__aligned_free(block);
     return fresh;
 }
 

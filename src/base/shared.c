@@ -5,8 +5,9 @@
 
 #include <stdatomic.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
+
+#include "base/system.h"
 
 enum { ALIGNMENT = 64 };
 
@@ -27,9 +28,7 @@ static void *resize(void *user, void *block, size_t old_size, size_t new_size)
     (void)user;
     char *fresh = NULL;
     if (new_size > 0) {
-        if (new_size > SIZE_MAX - 2 * ALIGNMENT)
-            return NULL;
-        header *h = aligned_alloc(ALIGNMENT, ALIGNMENT + (new_size + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT);
+        header *h = new_size > SIZE_MAX - ALIGNMENT ? NULL : sph2d__aligned_alloc(ALIGNMENT, ALIGNMENT + new_size);
         if (!h)
             return NULL;
         atomic_init(&h->users, 1);
@@ -56,5 +55,5 @@ void sph2d_shared_release(const void *block)
 {
     /* What others did with the block comes before it is freed. */
     if (block && atomic_fetch_sub_explicit(&header_of(block)->users, 1, memory_order_acq_rel) == 1)
-        free(header_of(block));
+        sph2d__aligned_free(header_of(block));
 }

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "base/system.h"
 #include "scene/liquid.h"
 #include "scene/shape.h"
 #include "start/start.h"
@@ -15,11 +15,9 @@ static const double MAX_PARTICLES = 4e9;
 
 bool sph2d__sim_too_many(const sph2d_sim *sim, double count, const char *path, sph2d_report *report)
 {
-    long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE); /* -1 where unknown */
-    double memory = pages > 0 && page > 0 ? (double)pages * (double)page : INFINITY;
     double each = (double)sph2d__store_bytes(&sim->system.fluid) + 3 * sizeof(uint32_t); /* store and cells */
     double bytes = count * each;
-    if (count < MAX_PARTICLES && bytes <= memory)
+    if (count < MAX_PARTICLES && bytes <= sph2d__machine_memory())
         return false;
     sph2d_diagnostic *d = sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_TOO_MANY, path,
                                            "%.4g particles need %.4g GB of memory", count, bytes / 1e9);

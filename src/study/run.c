@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 #include "base/null.h"
+#include "base/system.h"
 #include "sph2d/contacts.h"
 #include "study/parts.h"
 
@@ -24,12 +24,6 @@ typedef struct runner {
     double step_wall, step_cpu; /* ... at these times [s] */
     sph2d_status taken;         /* how measuring between the steps went */
 } runner;
-
-static double seconds(clockid_t clock)
-{
-    struct timespec now;
-    return clock_gettime(clock, &now) == 0 ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec : 0;
-}
 
 /* ---- what is collected ------------------------------------------------------------------------------------------- */
 
@@ -54,7 +48,7 @@ static sph2d_status begin_series(runner *r)
 /** Evaluates every probe that is due now. */
 static sph2d_status take_due(runner *r)
 {
-    double begun = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    double begun = sph2d__cpu_clock();
     for (size_t i = 0; i < r->record->series_count; ++i) {
         if (!sph2d_sim_output_due(r->sim, SPH2D_OUTPUT_PROBE + i))
             continue;
@@ -65,7 +59,7 @@ static sph2d_status take_due(runner *r)
         if (!sph2d__series_add(&r->record->series[i], sph2d_sim_time(r->sim), values))
             return SPH2D_NOMEM;
     }
-    r->record->probes += seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
+    r->record->probes += sph2d__cpu_clock() - begun;
     return SPH2D_OK;
 }
 
@@ -142,8 +136,8 @@ static void end_step(runner *r)
 {
     if (!r->stepping)
         return;
-    r->record->wall += seconds(CLOCK_MONOTONIC) - r->step_wall;
-    r->record->cpu += seconds(CLOCK_PROCESS_CPUTIME_ID) - r->step_cpu;
+    r->record->wall += sph2d__wall_clock() - r->step_wall;
+    r->record->cpu += sph2d__cpu_clock() - r->step_cpu;
     r->stepping = false;
 }
 
@@ -161,8 +155,8 @@ static bool go_on(void *runner_, sph2d_sim *sim)
         return false;
     }
     r->stepping = true;
-    r->step_wall = seconds(CLOCK_MONOTONIC);
-    r->step_cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    r->step_wall = sph2d__wall_clock();
+    r->step_cpu = sph2d__cpu_clock();
     return true;
 }
 
@@ -206,7 +200,7 @@ static sph2d_status go(runner *r, double begun)
     options.isa = r->options->isa;
     sph2d_status status = sph2d_sim_create(sph2d_scene_file_scene(r->file), &options, &r->sim, &r->said);
     sph2d_contacts_attach(r->sim);
-    r->record->start = seconds(CLOCK_PROCESS_CPUTIME_ID) - begun;
+    r->record->start = sph2d__cpu_clock() - begun;
     pass_on(r);
     if (status == SPH2D_OK)
         status = begin_series(r);
@@ -224,7 +218,7 @@ static int run_once(const sph2d_study_results *results, const sph2d_study_run *r
                     sph2d_report *report)
 {
     runner r = {.results = results, .run = run, .options = options, .record = record, .report = report, .again = again};
-    double begun = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    double begun = sph2d__cpu_clock();
     sph2d_scene_file *file;
     sph2d_status status = sph2d_study_run_scene(results, run, &file, report);
     record->repeats = 1;

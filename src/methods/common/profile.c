@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /** @file profile.c
  *  Clocks of the phases of a step. */
+#include "base/system.h"
 #include "methods/common/system.h"
-
-#include <time.h>
 
 const char *sph2d_phase_name(sph2d_phase phase)
 {
@@ -12,15 +11,9 @@ const char *sph2d_phase_name(sph2d_phase phase)
     return (unsigned)phase < SPH2D_PHASE_COUNT ? names[phase] : "unknown";
 }
 
-static double seconds(clockid_t id)
-{
-    struct timespec now;
-    return clock_gettime(id, &now) == 0 ? (double)now.tv_sec + 1e-9 * (double)now.tv_nsec : 0;
-}
-
 void sph2d__profile_switch(sph2d__profile *p, sph2d_phase phase)
 {
-    double wall = seconds(CLOCK_MONOTONIC), cpu = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    double wall = sph2d__wall_clock(), cpu = sph2d__cpu_clock();
     if (p->phase < SPH2D_PHASE_COUNT) {
         p->sums.wall[p->phase] += wall - p->wall;
         p->sums.cpu[p->phase] += cpu - p->cpu;
