@@ -28,6 +28,7 @@ missing_tools() {
     ! asked check-lint || for tool in clang-format clang-tidy shellcheck; do has $tool || echo $tool; done
     ! asked test-slurm || [ "$(id -u)" != 0 ] || has sbatch || printf 'slurm-wlm\nmunge\n'
     ! asked test-variants test-ports || tests/ports/ports.sh --needs
+    ! asked test-full || tests/ports/ports.sh --needs windows macos
     ! asked web test-web || has emcc || printf '%s\n' emscripten node-acorn xz-utils dpkg-dev ca-certificates
     ! asked test-web || has "${CHROMIUM:-chromium}" || echo chromium
     ! asked test test-full test-variants test-sanitize || for module in numpy h5py; do
@@ -64,9 +65,9 @@ packages=$({ missing_tools && missing_libraries; } | tr '\n' ' ')
 if [ "$(id -u)" = 0 ]; then root=; else root='sudo -n'; fi
 # Without NumPy the tests of the Python module are left out, without jsonschema and PyYAML those of schemas, without hatchling
 # and venv that of its wheel, without h5py and gnuplot those of recipes, without GLFW there is no `play`, without a display no
-# test of it, without ffmpeg none of films, without CMake none of its files, without compilers for other machines none of
-# these: nobody is stopped for them.
-optional='python3-(numpy|h5py|hatchling|venv|jsonschema|yaml)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|cmake|gcc-.*-linux-gnu|libc6-dev-.*-cross|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
+# test of it, without ffmpeg none of films, without CMake none of its files, without compilers for other machines and systems
+# none of these: nobody is stopped for them.
+optional='python3-(numpy|h5py|hatchling|venv|jsonschema|yaml)|gnuplot-nox|libglfw3-dev|xvfb|xdotool|ffmpeg|cmake|gcc-.*-linux-gnu|libc6-dev-.*-cross|gcc-mingw-w64-.*|wine64|python3-pip|qemu-user|musl-tools|clang|clang-format|clang-tidy|shellcheck'
 needed=$(echo "$packages" | tr ' ' '\n' | grep -vxE "$optional|") || true
 if ! has apt-get || ! $root true 2>/dev/null; then
     [ -n "$needed" ] || exit 0

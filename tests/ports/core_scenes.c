@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file core_scenes.c
- *  core_scenes: runs three scenes by all methods for 50 steps, by the baseline instruction set and two threads, and
- *  prints what the liquid is then, to be compared between machines, compilers and C libraries. A line: scene, method,
+ *  core_scenes [auto]: runs three scenes by all methods for 50 steps, by the baseline instruction set or, with `auto`, the
+ *  best of this processor, and two threads, and prints what the liquid is then, to be compared between machines, compilers and C libraries. A line: scene, method,
  *  how it ended, particles, kinetic and potential energy [J/m], mean and largest compression, hash of all particles. */
 #include <stdio.h>
 #include <string.h>
@@ -9,6 +9,9 @@
 #include <sph2d/sph2d.h>
 
 enum { STEPS = 50 };
+
+/* By which all runs are. */
+static sph2d_isa isa = SPH2D_ISA_BASELINE;
 
 static uint64_t hash_of(const sph2d_view *f)
 {
@@ -31,7 +34,7 @@ static bool run(sph2d_scene scene, const char *name, const char *method, const s
     sph2d_report report = {0};
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = 2;
-    options.isa = SPH2D_ISA_BASELINE;
+    options.isa = isa;
     scene.method = *by;
     sph2d_status status = sph2d_sim_create(&scene, &options, &sim, &report);
     for (int k = 0; k < STEPS && status == SPH2D_OK; ++k)
@@ -105,7 +108,7 @@ static bool run_vortices(const char *method, const sph2d_method_options *by)
     return run(scene, "vortices", method, by);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
     static const struct {
         const char *name;
@@ -117,6 +120,8 @@ int main(void)
                    {"fitted", SPH2D_METHOD_WCSPH, SPH2D_OPERATORS_FITTED, false},
                    {"pcisph", SPH2D_METHOD_PCISPH, SPH2D_OPERATORS_VARIATIONAL, true},
                    {"constraint", SPH2D_METHOD_CONSTRAINT, SPH2D_OPERATORS_VARIATIONAL, true}};
+    if (argc == 2 && strcmp(argv[1], "auto") == 0)
+        isa = SPH2D_ISA_AUTO;
     bool fine = true;
     for (size_t k = 0; k < sizeof methods / sizeof *methods; ++k) {
         sph2d_method_options by = sph2d_scene_default().method;

@@ -13,12 +13,16 @@ $(OBJ)/core/%.o: %.c
 $(BUILD)/gen/core_suites.h: $(CORE_TEST_SRC) tests/ports/ports.mk
 	$(call say,GEN,$@)mkdir -p $(@D) && { printf '#define CORE_SUITES(X)'; \
 	    sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/ X(\1)/p' $(filter tests/test_%,$(CORE_TEST_SRC)) | sort -u | tr -d '\n'; echo; } >$@
-$(BUILD)/tests/check_core: $(CORE_TEST_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
+# The compilers for Windows give programs this ending.
+EXE := $(if $(findstring mingw,$(MACHINE)),.exe)
+$(BUILD)/tests/check_core$(EXE): $(CORE_TEST_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 
 CORE_SCENES_OBJ := $(OBJ)/tests/ports/core_scenes.o
 $(CORE_SCENES_OBJ): PART = -Iinclude
-$(BUILD)/tests/core_scenes: $(CORE_SCENES_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
+$(BUILD)/tests/core_scenes$(EXE): $(CORE_SCENES_OBJ) $(BUILD)/libsph2d.a $(BUILD)/variant
+	$(call link,,$(CORE_LIBS))
+$(BUILD)/tests/embed$(EXE): $(OBJ)/examples/embed.o $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(CORE_LIBS))
 
 -include $(CORE_TEST_OBJ:.o=.d) $(CORE_SCENES_OBJ:.o=.d)
