@@ -181,7 +181,7 @@ static void check_wall(checker *c, const sph2d_probe *probe, size_t i)
     if (!on_wall) {
         if (probe->on)
             sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path,
-                               "is for probes of walls, bodies and openings, and at a point");
+                               "is for probes of kinds force, work, body, opening, speed, pressure and elevation");
         return;
     }
     if (!probe->on)
