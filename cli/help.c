@@ -49,7 +49,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "\n"
                   "  mouse     left: the tool, or to hold a body; right: push, or by tool W take a drawn\n"
                   "            wall away; wheel: reach\n"
-                  "  P O E W   tools: pull, pour, wipe away, draw a wall\n"
+                  "  P O E W   tools: pull, pour a jet, wipe away, draw a wall\n"
                   "  space .   pause; one step          + -       faster, slower\n"
                   "  arrows 0  gravity; none            V B       viscosity up, down\n"
                   "  T Y       surface tension          K L       stiffness\n"

@@ -123,6 +123,7 @@ void game_hand(game *g, const sph2d_renderer *renderer, const play_input *input)
 {
     sph2d_report report = {0};
     hand_scale(&g->hand, input->scroll);
+    g->hand.still = g->paused;
     sph2d_vec2 at;
     if (!sph2d_renderer_locate(renderer, input->x, input->y, &at))
         return;

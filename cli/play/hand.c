@@ -131,7 +131,7 @@ void hand_scale(hand *h, double steps)
 }
 
 /* Fills the reach with liquid, on a lattice that stays in place while the hand moves. */
-static sph2d_status pour(const hand *h, live *l)
+static sph2d_status fill(const hand *h, live *l)
 {
     enum { MOST = 4096 };
     static sph2d_particle drops[MOST];
@@ -144,6 +144,15 @@ static sph2d_status pour(const hand *h, live *l)
                 drops[count++] = drop;
         }
     return sph2d_sim_add_particles(l->sim, drops, count, NULL);
+}
+
+/* A jet as wide as the reach; while time stands still it would not come, and all is filled. */
+static sph2d_status pour(const hand *h, live *l)
+{
+    if (h->still)
+        return fill(h, l);
+    nozzle_open(&l->nozzle, &l->scene, l->sim, h->at, 2 * h->radius);
+    return SPH2D_OK;
 }
 
 static sph2d_status wipe(const hand *h, live *l)

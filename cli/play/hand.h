@@ -21,6 +21,7 @@ typedef struct hand {
     double radius;                          /**< [m] */
     sph2d_vec2 at;                          /**< where it is [m] */
     bool down, pushes;                      /**< what its buttons do */
+    bool still;                             /**< time stands still */
     grip grip;                              /**< the body that it holds */
     sph2d_vec2 corners[DRAWN_MOST_CORNERS]; /**< of the wall that is being drawn */
     size_t corner_count;

@@ -125,11 +125,12 @@ sph2d_status live_step(live *l, sph2d_report *report)
     return l->stopped;
 }
 
-/* Whether the next step is due, and there is time for it. */
+/* Whether the next step is due, and there is time for it; pours before it. */
 static bool is_due(void *live_, sph2d_sim *sim)
 {
-    const live *l = live_;
-    return sph2d_sim_time(sim) + 0.5 * sph2d_sim_time_step(sim) < l->due && clock_wall() < l->deadline;
+    live *l = live_;
+    const bool due = sph2d_sim_time(sim) + 0.5 * sph2d_sim_time_step(sim) < l->due && clock_wall() < l->deadline;
+    return due && nozzle_emit(&l->nozzle, &l->scene, sim) == SPH2D_OK; /* without memory the next step tells */
 }
 
 sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *report)
@@ -140,6 +141,7 @@ sph2d_status live_advance(live *l, double seconds, double budget, sph2d_report *
     l->due += seconds;
     l->deadline = begun + budget;
     note_stop(l, sph2d_sim_run(l->sim, is_due, l, report), report);
+    l->nozzle.open = false;
     count_left(l);
     const double now = sph2d_sim_time(l->sim), share = fmin(seconds, 1), spent = clock_wall() - begun;
     if (now > from && spent > 0)

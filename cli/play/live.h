@@ -9,6 +9,7 @@
 #include <sph2d/io.h>
 
 #include "drawn.h"
+#include "nozzle.h"
 #include "past.h"
 
 typedef struct live {
@@ -25,6 +26,7 @@ typedef struct live {
     double pace;          /**< simulated time for a second of stepping [s], in the mean over some; 0: not known */
     uint64_t left;        /**< particles through open sides ... */
     size_t counted;       /**< ... when there were so many */
+    nozzle nozzle;        /**< opened anew before each live_advance() */
     past past;
 } live;
 

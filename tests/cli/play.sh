@@ -107,6 +107,16 @@ wiped=$(sed -n 's/.*; \([0-9]*\) particles$/\1/p' err)
 [ "$wiped" -lt "$first" ] || fail "$wiped particles after wiping, $first before"
 says 'simulated 0[0-9.]* s'
 
+# So does pouring, which fills the reach at once then.
+play pool.yaml
+xdotool key space key o mousemove --window "$window" 60 60 mousedown 1
+sleep 1
+xdotool mouseup 1
+quit
+poured=$(particles)
+[ "$poured" -gt "$first" ] || fail "$poured particles after pouring while paused, $first before"
+says 'simulated 0[0-9.]* s'
+
 # A wall is drawn where the liquid is now, not where it was at first: it may turn sharply, cross itself, stand where a block
 # was and in scenes whose walls and bodies move, and be drawn without gravity. A click of the right button takes it away.
 cat >column.yaml <<END
