@@ -396,6 +396,47 @@ START_TEST(a_wall_is_built_where_a_body_started)
 }
 END_TEST
 
+/** A state that says nothing of bodies goes on with those of the scene where this has them: one more, and the first moved,
+ *  whose energy is fed. */
+START_TEST(bodies_start_in_the_middle_of_a_run)
+{
+    start_pool();
+    sph2d_sim *sim = test_create(&pool.scene, NULL), *more = NULL;
+    test_steps(sim, 40);
+    sph2d_array arrays[200];
+    const sph2d_state whole = sph2d_sim_state(sim);
+    sph2d_state state = {whole.version, arrays, 0};
+    for (size_t i = 0; i < whole.array_count; ++i)
+        if (whole.arrays[i].group != SPH2D_GROUP_WALL && strcmp(whole.arrays[i].name, "Bodies") != 0)
+            arrays[state.array_count++] = whole.arrays[i];
+    const sph2d_summary before = sph2d_sim_summary(sim);
+    sph2d_body bodies[2] = {pool.body, pool.body};
+    const sph2d_body_state now = sph2d_sim_body(sim, 0);
+    bodies[0].velocity = now.velocity;
+    bodies[0].rate = now.rate;
+    bodies[1].name = NULL;
+    bodies[1].shape.kind = SPH2D_SHAPE_CIRCLE;
+    bodies[1].shape.circle = (sph2d_circle){{0.5, 0.8}, 0.08};
+    bodies[1].density = 2000;
+    pool.scene.bodies = bodies;
+    pool.scene.body_count = 2;
+    ck_assert_int_eq(sph2d_sim_restore(&pool.scene, NULL, &state, &more, NULL), SPH2D_OK);
+    const sph2d_body_state first = sph2d_sim_body(more, 0), added = sph2d_sim_body(more, 1);
+    ck_assert_double_eq_tol(first.center.y, sph2d_shape_centroid(&bodies[0].shape).y, 1e-12);
+    ck_assert_double_eq_tol(first.velocity.x, now.velocity.x, 1e-12);
+    ck_assert_double_eq_tol(added.center.y, 0.8, 1e-12);
+    const sph2d_summary after = sph2d_sim_summary(more);
+    ck_assert_double_eq_tol(after.energy_fed - before.energy_fed, after.bodies - before.bodies,
+                            1e-3 * after.energy_scale);
+    ck_assert_double_gt(after.energy_fed, before.energy_fed + 2000 * 0.02 * 9.81 * 0.5);
+    test_steps(more, 40);
+    ck_assert_double_le(sph2d_sim_summary(more).energy_rise, before.energy_rise + 1e-2 * after.energy_scale);
+    ck_assert_double_lt(sph2d_sim_body(more, 1).center.y, 0.8);
+    sph2d_sim_destroy(more);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 /** Coriolis' force on boundary particles counts with the velocities of the last evaluation, which are not those at the
  *  end of the step; a sample of dissipation, as after 80 steps, evaluates once more. */
 START_TEST(resuming_in_a_tank_that_turns_changes_no_bit)
@@ -755,6 +796,7 @@ Suite *suite_bodies(void)
     tcase_add_loop_test(tests, a_body_on_a_floor_has_half_a_kick_and_stays, 0, SPH2D_METHOD_CONSTRAINT + 1);
     tcase_add_test(tests, blows_are_energy_that_is_fed);
     tcase_add_test(tests, a_wall_is_built_where_a_body_started);
+    tcase_add_test(tests, bodies_start_in_the_middle_of_a_run);
     tcase_add_loop_test(tests, wrong_bodies_are_refused_with_their_place, 0, 11);
     tcase_add_test(tests, a_line_that_is_a_solid_may_be_near);
     tcase_add_test(tests, checks_take_no_longer_with_the_tiniest_spacing);

@@ -39,7 +39,8 @@ SPH2D_API sph2d_state sph2d_sim_state(sph2d_sim *sim);
 
 /** Creates a simulation that continues from `state`, whose data is copied. Every array is validated: presence, shape,
  *  type, finite values, ranges. A state without any array of SPH2D_GROUP_WALL goes on among the walls of `scene`, where
- *  they are at its time: so walls can be added and taken away in a run, also where a body started. Liquid that is inside
+ *  they are at its time: so walls can be added and taken away in a run, also where a body started. If it has no array
+ *  "Bodies" either, bodies start as in `scene`, whatever those of the state were; their energy counts as fed. Liquid that is inside
  *  a new one stays there until sph2d_sim_remove_particles() takes it away. Errors: SPH2D_FORMAT for a state that is not
  *  one of this scene and version; otherwise as sph2d_sim_create. `options` may be NULL; its `isa` is overridden by the
  *  one stored in the state. */

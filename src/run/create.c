@@ -179,6 +179,8 @@ static sph2d_status start_restored(sph2d_sim *sim, const sph2d_state *state, sph
     sph2d__bodies_know(sim, false);
     double time = sim->record.time; /* obstacles are where the last step left them */
     sph2d__sim_set_drift_interval(sim, time, time);
+    if (status == SPH2D_OK && sim->bodies.count > 0 && sph2d__state_lacks_bodies(state))
+        sph2d__sim_book_new_bodies(sim);
     return status;
 }
 

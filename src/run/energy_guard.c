@@ -95,6 +95,17 @@ sph2d_status sph2d__sim_update_energy_balance(sph2d_sim *sim)
     return SPH2D_OK;
 }
 
+void sph2d__sim_book_new_bodies(sph2d_sim *sim)
+{
+    sph2d__record *r = &sim->record;
+    sph2d_summary now;
+    sph2d__sim_sum_energy(sim, &now);
+    const double lost =
+        r->energy_viscous + r->energy_diffused + r->energy_stopped + r->energy_pressed + r->energy_contacts;
+    r->energy_fed += now.kinetic + now.potential + now.elastic + now.bodies - r->energy_fed - r->energy_walls -
+                     r->energy_forces - (r->energy_start + r->energy_error - lost);
+}
+
 /** The fastest particle. */
 static size_t find_fastest(const sph2d__store *f)
 {

@@ -70,4 +70,11 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
 /** Whether the particles of a state have colours of their own. */
 bool sph2d__state_has_colors(const sph2d_state *state);
 
+/** Whether a state says nothing of bodies, which then start as the scene has them. */
+bool sph2d__state_lacks_bodies(const sph2d_state *state);
+
+/** Books the energy of bodies that start in the middle of a run as fed: all that there is now more than when it was summed
+ *  last. */
+void sph2d__sim_book_new_bodies(sph2d_sim *sim);
+
 #endif

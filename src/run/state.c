@@ -29,9 +29,11 @@ static sph2d__lent run_array(const char *name, const char *description, sph2d_ty
                          .data = {data, NULL}};
 }
 
+static const char BODIES[] = "Bodies";
+
 static sph2d__lent bodies_array(sph2d_sim *sim)
 {
-    return run_array("Bodies", "of each body: place, velocity, acceleration, what holds it up, force of the liquid",
+    return run_array(BODIES, "of each body: place, velocity, acceleration, what holds it up, force of the liquid",
                      SPH2D_F64, SPH2D__RIGID_VALUES * sim->bodies.count, sim->bodies.states);
 }
 
@@ -109,6 +111,15 @@ typedef struct loader {
     bool ok;
 } loader;
 
+/** The array of a group and name; NULL if there is none. */
+static const sph2d_array *array_named(const sph2d_state *state, sph2d_group group, const char *name)
+{
+    for (size_t i = 0; i < state->array_count; ++i)
+        if (state->arrays[i].group == group && state->arrays[i].name && strcmp(state->arrays[i].name, name) == 0)
+            return &state->arrays[i];
+    return NULL;
+}
+
 static void refuse(loader *l, const char *name, const char *what)
 {
     l->ok = false;
@@ -119,33 +130,26 @@ static void refuse(loader *l, const char *name, const char *what)
  *  none. */
 static const sph2d_array *find_array(loader *l, const sph2d_array *wanted, size_t count)
 {
-    for (size_t i = 0; i < l->state->array_count; ++i) {
-        const sph2d_array *a = &l->state->arrays[i];
-        if (a->group != wanted->group || !a->name || strcmp(a->name, wanted->name) != 0)
-            continue;
-        if (a->type != wanted->type || a->components != wanted->components || a->count != count) {
-            refuse(l, wanted->name, "has the wrong type or shape");
+    const sph2d_array *a = array_named(l->state, wanted->group, wanted->name);
+    if (!a) {
+        refuse(l, wanted->name, "is missing");
+        return NULL;
+    }
+    if (a->type != wanted->type || a->components != wanted->components || a->count != count) {
+        refuse(l, wanted->name, "has the wrong type or shape");
+        return NULL;
+    }
+    for (unsigned c = 0; c < a->components; ++c)
+        if (!a->data[c] && count > 0) {
+            refuse(l, wanted->name, "has no data");
             return NULL;
         }
-        for (unsigned c = 0; c < a->components; ++c)
-            if (!a->data[c] && count > 0) {
-                refuse(l, wanted->name, "has no data");
-                return NULL;
-            }
-        return a;
-    }
-    refuse(l, wanted->name, "is missing");
-    return NULL;
+    return a;
 }
 
 bool sph2d__state_has_colors(const sph2d_state *state)
 {
-    for (size_t i = 0; i < state->array_count; ++i) {
-        const sph2d_array *a = &state->arrays[i];
-        if (a->group == SPH2D_GROUP_FLUID && a->name && strcmp(a->name, "Colors") == 0)
-            return true;
-    }
-    return false;
+    return array_named(state, SPH2D_GROUP_FLUID, "Colors");
 }
 
 /** Gives all liquid the fluid's colour, where the state is that of a scene without colours. */
@@ -203,12 +207,15 @@ static bool has_walls(const sph2d_state *state)
     return false;
 }
 
+bool sph2d__state_lacks_bodies(const sph2d_state *state)
+{
+    return !array_named(state, SPH2D_GROUP_RUN, BODIES) && !has_walls(state);
+}
+
 static size_t count_of(const sph2d_state *state, sph2d_group group, const char *name)
 {
-    for (size_t i = 0; i < state->array_count; ++i)
-        if (state->arrays[i].group == group && state->arrays[i].name && strcmp(state->arrays[i].name, name) == 0)
-            return state->arrays[i].count;
-    return 0;
+    const sph2d_array *array = array_named(state, group, name);
+    return array ? array->count : 0;
 }
 
 /** Makes room for the places of tracers. False when memory is short. */
@@ -288,7 +295,8 @@ static bool load_bodies(loader *l, sph2d_sim *sim)
     if (sim->bodies.count == 0)
         return true;
     const sph2d__lent bodies = bodies_array(sim);
-    const sph2d_array *from = find_array(l, &bodies.array, bodies.array.count);
+    const bool anew = sph2d__state_lacks_bodies(l->state);
+    const sph2d_array *from = anew ? NULL : find_array(l, &bodies.array, bodies.array.count);
     if (from)
         copy_values(l, from, sim->bodies.states, 0);
     sph2d__bodies_stand(sim, sim->record.time);
@@ -335,6 +343,8 @@ sph2d_status sph2d__sim_load(sph2d_sim *sim, const sph2d_state *state, sph2d_rep
             set_colors(sim);
             continue;
         }
+        if (strcmp(wanted[i].array.name, BODIES) == 0 && sph2d__state_lacks_bodies(state))
+            continue;
         const sph2d_array *from = find_array(&l, &wanted[i].array, wanted[i].array.count);
         for (unsigned c = 0; from && c < from->components; ++c)
             copy_values(&l, from, wanted[i].data[c], c);
