@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lists.h"
+
 /* Lines that turn by more than 101 degrees, the cosine of which this is, are divided: solids are mitred up to 120. */
 static const double SHARP = -0.2;
 
@@ -16,11 +18,11 @@ static sph2d_vec2 direction(const sph2d_vec2 *corners, size_t k)
     return (sph2d_vec2){x / length, y / length};
 }
 
-static double distance(const sph2d_vec2 *line, sph2d_vec2 p)
+double drawn_distance(const sph2d_vec2 *line, sph2d_vec2 p)
 {
     const sph2d_vec2 a = line[0], b = line[1];
     const double x = b.x - a.x, y = b.y - a.y, t = ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y);
-    const double part = fmin(fmax(t, 0), 1);
+    const double part = fmin(fmax(t, 0), 1); /* 0 for NaN: a point */
     return hypot(a.x + part * x - p.x, a.y + part * y - p.y);
 }
 
@@ -32,8 +34,8 @@ static double side(const sph2d_vec2 *line, sph2d_vec2 p)
 bool drawn_near(const sph2d_vec2 *s, const sph2d_vec2 *t, double reach)
 {
     const bool cross = side(s, t[0]) * side(s, t[1]) < 0 && side(t, s[0]) * side(t, s[1]) < 0;
-    return cross || distance(s, t[0]) < reach || distance(s, t[1]) < reach || distance(t, s[0]) < reach ||
-           distance(t, s[1]) < reach;
+    return cross || drawn_distance(s, t[0]) < reach || drawn_distance(s, t[1]) < reach ||
+           drawn_distance(t, s[0]) < reach || drawn_distance(t, s[1]) < reach;
 }
 
 drawn_line drawn_divide(const sph2d_vec2 *corners, size_t count, double thickness)
@@ -69,38 +71,28 @@ size_t drawn_solid(const drawn_line *line, size_t k, double thickness, double mo
     return 2 * n;
 }
 
-sph2d_obstacle *drawn_list(sph2d_scene *scene, size_t given, size_t from, size_t to, const drawn_line *line)
+void *drawn_list(sph2d_scene *scene, size_t from, size_t to, const drawn_line *line)
 {
-    const size_t pieces = line ? line->pieces : 0, count = scene->obstacle_count - (to - from) + pieces;
-    size_t corners = line ? line->start[pieces] + pieces : 0; /* two pieces share one */
-    for (size_t k = given; k < scene->obstacle_count; ++k)
-        corners += scene->obstacles[k].shape.points.count;
-    sph2d_obstacle *list = malloc(count * sizeof *list + corners * sizeof(sph2d_vec2) + 1);
+    const size_t pieces = line ? line->pieces : 0, kept = scene->obstacle_count - (to - from);
+    sph2d_obstacle *list = malloc((kept + pieces) * sizeof *list + 1);
     if (!list)
         return NULL;
-    void *behind = list + count;
-    sph2d_vec2 *next = behind;
-    for (size_t k = 0, n = 0; n < count; ++k) {
-        if (k >= from && k < to)
-            continue;
-        sph2d_obstacle *wall = &list[n++];
-        *wall = k < scene->obstacle_count ? scene->obstacles[k] : sph2d_obstacle_default();
-        if (k < given)
-            continue;
-        sph2d_points *points = &wall->shape.points;
-        if (line && k >= scene->obstacle_count) {
-            const size_t *start = &line->start[k - scene->obstacle_count];
-            wall->shape.kind = SPH2D_SHAPE_POLYLINE;
-            wall->liquid = SPH2D_LIQUID_BOTH;
-            *points = (sph2d_points){line->corners + start[0], start[1] - start[0] + 1};
-        }
-        memcpy(next, points->items, points->count * sizeof *next);
-        points->items = next;
-        next += points->count;
+    if (from > 0)
+        memcpy(list, scene->obstacles, from * sizeof *list);
+    if (kept > from)
+        memcpy(list + from, scene->obstacles + to, (kept - from) * sizeof *list);
+    for (size_t k = 0; k < pieces; ++k) {
+        const size_t start = line->start[k];
+        list[kept + k] = sph2d_obstacle_default();
+        list[kept + k].shape.kind = SPH2D_SHAPE_POLYLINE;
+        list[kept + k].shape.points = (sph2d_points){line->corners + start, line->start[k + 1] - start + 1};
+        list[kept + k].liquid = SPH2D_LIQUID_BOTH;
     }
     scene->obstacles = list;
-    scene->obstacle_count = count;
-    return list;
+    scene->obstacle_count = kept + pieces;
+    void *copy = lists_copy(scene, NULL);
+    free(list);
+    return copy;
 }
 
 /* Whether a drawn wall begins where the one before ends. */
@@ -117,8 +109,8 @@ void drawn_find(const sph2d_scene *scene, size_t given, sph2d_vec2 at, double re
     for (size_t k = given; k < scene->obstacle_count; ++k) {
         const sph2d_points *line = &scene->obstacles[k].shape.points;
         for (size_t i = 0; i + 1 < line->count; ++i)
-            if (distance(line->items + i, at) < reach) {
-                reach = distance(line->items + i, at);
+            if (drawn_distance(line->items + i, at) < reach) {
+                reach = drawn_distance(line->items + i, at);
                 *from = k;
                 *to = k + 1;
             }

@@ -71,8 +71,16 @@ void game_film(game *g);
 void game_film_frame(game *g, sph2d_renderer *renderer);
 
 /** What can be set while it runs: the size of gravity [m/s^2], viscosity [Pa s], surface tension [N/m], the largest
- *  compression (a part of the density), and the rate, simulated seconds for one of the clock. */
-typedef enum game_quantity { GAME_GRAVITY, GAME_VISCOSITY, GAME_TENSION, GAME_COMPRESSION, GAME_RATE } game_quantity;
+ *  compression (a part of the density), the rate, simulated seconds for one of the clock, and the density of bodies that
+ *  are drawn, over the liquid's. */
+typedef enum game_quantity {
+    GAME_GRAVITY,
+    GAME_VISCOSITY,
+    GAME_TENSION,
+    GAME_COMPRESSION,
+    GAME_RATE,
+    GAME_DENSITY
+} game_quantity;
 double game_get(const game *g, game_quantity quantity);
 void game_set(game *g, game_quantity quantity, double value);
 
@@ -82,6 +90,9 @@ double game_usual_gravity(const game *g);
 
 /** Goes back to before the last act. */
 void game_undo(game *g);
+
+/** Takes a tool, and tells which. */
+void game_pick(game *g, hand_tool tool);
 
 /** Does what a key says. */
 void game_key(game *g, int key);

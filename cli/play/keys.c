@@ -18,7 +18,9 @@ enum { COLORS = sizeof colors / sizeof colors[0] };
 #endif
 
 const char game_help[] = "mouse: left uses the tool or holds a body, right pushes, wheel: reach\n"
-                         "P pull  O pour  E wipe  W wall (right takes it away)\n"
+                         "P pull  O pour  E wipe  W wall  D body: circle, box, outline\n"
+                         "J hinge (click), spring (drag)  [ ] density of bodies\n"
+                         "right with W, D, J takes away\n"
                          "U or Ctrl-Z undo (ten acts)   1 to 9 scenes  R again\n"
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"
@@ -138,27 +140,39 @@ static void one_step(game *g)
     game_tell_report(g, live_step(&g->live, &report), &report);
 }
 
-static void pick(game *g, hand_tool tool)
+void game_pick(game *g, hand_tool tool)
 {
-    g->hand.tool = tool;
-    g->hand.corner_count = 0;
+    hand_take(&g->hand, tool);
     game_tell(g, "tool: %s", hand_name(tool));
 }
 
 static bool tool_key(game *g, int key)
 {
+    const hand_tool tool = g->hand.tool;
     switch (key) {
     case 'P':
-        pick(g, HAND_PULL);
+        game_pick(g, HAND_PULL);
         return true;
     case 'O':
-        pick(g, HAND_POUR);
+        game_pick(g, HAND_POUR);
         return true;
     case 'E':
-        pick(g, HAND_WIPE);
+        game_pick(g, HAND_WIPE);
         return true;
     case 'W':
-        pick(g, HAND_WALL);
+        game_pick(g, HAND_WALL);
+        return true;
+    case 'D': /* in turn */
+        game_pick(g, tool < HAND_CIRCLE || tool >= HAND_OUTLINE ? HAND_CIRCLE : tool + 1);
+        return true;
+    case 'J':
+        game_pick(g, HAND_HOLD);
+        return true;
+    case '[':
+        game_set(g, GAME_DENSITY, game_get(g, GAME_DENSITY) / 1.25);
+        return true;
+    case ']':
+        game_set(g, GAME_DENSITY, game_get(g, GAME_DENSITY) * 1.25);
         return true;
     default:
         return false;

@@ -7,10 +7,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <sph2d/contacts.h>
 
 #include "../clock.h"
+#include "lists.h"
 
 /* What a slow machine may be behind before time is left out [s of the clock]. */
 static const double MOST_BEHIND = 0.1;
@@ -73,14 +75,13 @@ static sph2d_status create(live *l, sph2d_report *report)
 sph2d_status live_open(live *l, sph2d_scene_file *file, const sph2d_sim_options *options, sph2d_report *report)
 {
     *l = (live){.file = file, .scene = *sph2d_scene_file_scene(file), .options = *options};
-    l->scene.obstacles = NULL;
     return live_restart(l, 0, report);
 }
 
 void live_close(live *l)
 {
     sph2d_sim_destroy(l->sim);
-    free(l->obstacles);
+    free(l->lists);
     past_free(&l->past);
     sph2d_scene_file_destroy(l->file);
     *l = (live){0};
@@ -92,18 +93,20 @@ sph2d_status live_restart(live *l, double spacing, sph2d_report *report)
     const sph2d_scene before = l->scene;
     l->scene.obstacles = given->obstacles;
     l->scene.obstacle_count = given->obstacle_count;
+    l->scene.bodies = given->bodies;
+    l->scene.body_count = given->body_count;
     l->scene.gravity = given->gravity;
     if (spacing > 0)
         l->scene.spacing = spacing;
-    sph2d_obstacle *obstacles = drawn_list(&l->scene, given->obstacle_count, 0, 0, NULL);
-    const sph2d_status status = obstacles ? create(l, report) : SPH2D_NOMEM;
+    void *lists = lists_copy(&l->scene, NULL);
+    const sph2d_status status = lists ? create(l, report) : SPH2D_NOMEM;
     if (status != SPH2D_OK) {
         l->scene = before;
-        free(obstacles);
+        free(lists);
         return status;
     }
-    free(l->obstacles);
-    l->obstacles = obstacles;
+    free(l->lists);
+    l->lists = lists;
     return SPH2D_OK;
 }
 
@@ -187,10 +190,46 @@ sph2d_status live_change(live *l, const sph2d_scene *scene, sph2d_report *report
     return state.arrays ? go_on(l, scene, &state, report) : SPH2D_NOMEM;
 }
 
+/* A state without walls takes those of the scene, and no liquid is placed: where the scene's blocks were says nothing of
+ * where it is now. */
+sph2d_status live_rebuild(live *l, const sph2d_scene *scene, void *lists, bool anew, live_clear *clear,
+                          const void *what, size_t *removed, sph2d_report *report)
+{
+    const sph2d_state run = sph2d_sim_state(l->sim);
+    sph2d_array *arrays = malloc((run.array_count + 1) * sizeof *arrays);
+    sph2d_state state = {run.version, arrays, 0};
+    sph2d_sim *sim = NULL;
+    sph2d_status status = lists && arrays && run.arrays ? SPH2D_OK : SPH2D_NOMEM;
+    for (size_t i = 0; status == SPH2D_OK && i < run.array_count; ++i)
+        if (run.arrays[i].group != SPH2D_GROUP_WALL && !(anew && strcmp(run.arrays[i].name, "Bodies") == 0))
+            arrays[state.array_count++] = run.arrays[i];
+    if (status == SPH2D_OK)
+        status = restore(l, scene, &state, &sim, report);
+    if (status == SPH2D_OK && clear)
+        status = clear(l, sim, what, removed);
+    status = take(l, sim, status);
+    free(arrays);
+    if (status != SPH2D_OK) {
+        free(lists);
+        return status;
+    }
+    free(l->lists);
+    l->lists = lists;
+    l->scene = *scene;
+    return SPH2D_OK;
+}
+
 /* ---- drawn walls ------------------------------------------------------------------------------------------------- */
 
-/* How far liquid is from a drawn wall at least [spacings]; and from where a wall can be taken. */
-static const double CLEARANCE = 0.6, GRASP = 1.5;
+double live_clearance(const live *l)
+{
+    return 0.6 * l->scene.spacing;
+}
+
+double live_grasp(const live *l)
+{
+    return 1.5 * l->scene.spacing;
+}
 
 static size_t given_obstacles(const live *l)
 {
@@ -207,13 +246,14 @@ double live_wall_thickness(const live *l)
 
 drawn_line live_divide(const live *l, const sph2d_vec2 *corners, size_t count)
 {
-    return drawn_divide(corners, count, live_wall_thickness(l) + 2 * CLEARANCE * l->scene.spacing);
+    return drawn_divide(corners, count, live_wall_thickness(l) + 2 * live_clearance(l));
 }
 
 /* Removes the liquid in the way of a line, and counts it. */
-static sph2d_status clear_way(const live *l, sph2d_sim *sim, const drawn_line *line, size_t *removed)
+static sph2d_status clear_way(const live *l, sph2d_sim *sim, const void *line_, size_t *removed)
 {
-    const double more = CLEARANCE * l->scene.spacing;
+    const drawn_line *line = line_;
+    const double more = live_clearance(l);
     sph2d_status status = SPH2D_OK;
     *removed = 0;
     for (size_t k = 0; k < line->pieces && status == SPH2D_OK; ++k) {
@@ -226,53 +266,26 @@ static sph2d_status clear_way(const live *l, sph2d_sim *sim, const drawn_line *l
     return status;
 }
 
-/* Goes on with other walls: without obstacles from `from` up to `to`, with those of a line. A state without walls takes
- * those of the scene, and no liquid is placed: where the scene's blocks were says nothing of where it is now. */
-static sph2d_status change_walls(live *l, size_t from, size_t to, const drawn_line *line, size_t *removed,
-                                 sph2d_report *report)
-{
-    sph2d_scene scene = l->scene;
-    const sph2d_state run = sph2d_sim_state(l->sim);
-    sph2d_obstacle *list = drawn_list(&scene, given_obstacles(l), from, to, line);
-    sph2d_array *arrays = malloc((run.array_count + 1) * sizeof *arrays);
-    sph2d_state state = {run.version, arrays, 0};
-    sph2d_sim *sim = NULL;
-    sph2d_status status = list && arrays && run.arrays ? SPH2D_OK : SPH2D_NOMEM;
-    for (size_t i = 0; status == SPH2D_OK && i < run.array_count; ++i)
-        if (run.arrays[i].group != SPH2D_GROUP_WALL)
-            arrays[state.array_count++] = run.arrays[i];
-    if (status == SPH2D_OK)
-        status = restore(l, &scene, &state, &sim, report);
-    if (status == SPH2D_OK && line)
-        status = clear_way(l, sim, line, removed);
-    status = take(l, sim, status);
-    free(arrays);
-    if (status != SPH2D_OK) {
-        free(list);
-        return status;
-    }
-    free(l->obstacles);
-    l->obstacles = list;
-    l->scene = scene;
-    return SPH2D_OK;
-}
-
 sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, size_t *removed, sph2d_report *report)
 {
     const drawn_line line = live_divide(l, corners, count);
-    return change_walls(l, 0, 0, &line, removed, report);
+    sph2d_scene scene = l->scene;
+    void *lists = drawn_list(&scene, 0, 0, &line);
+    return live_rebuild(l, &scene, lists, false, clear_way, &line, removed, report);
 }
 
 sph2d_status live_remove_wall(live *l, sph2d_vec2 at, bool *found, sph2d_report *report)
 {
     size_t from, to;
-    const double reach = live_wall_thickness(l) / 2 + GRASP * l->scene.spacing;
+    const double reach = live_wall_thickness(l) / 2 + live_grasp(l);
     drawn_find(&l->scene, given_obstacles(l), at, reach, &from, &to);
     *found = from < to;
     if (!*found)
         return SPH2D_OK;
     live_remember(l, "wall taken away");
-    const sph2d_status status = change_walls(l, from, to, NULL, NULL, report);
+    sph2d_scene scene = l->scene;
+    void *lists = drawn_list(&scene, from, to, NULL);
+    const sph2d_status status = live_rebuild(l, &scene, lists, false, NULL, NULL, NULL, report);
     if (status != SPH2D_OK)
         past_drop(&l->past);
     return status;
@@ -283,7 +296,7 @@ sph2d_status live_remove_wall(live *l, sph2d_vec2 at, bool *found, sph2d_report 
 void live_remember(live *l, const char *name)
 {
     const sph2d_state state = sph2d_sim_state(l->sim);
-    past_keep(&l->past, name, &l->scene, given_obstacles(l), &state);
+    past_keep(&l->past, name, &l->scene, &state);
 }
 
 sph2d_status live_undo(live *l, const char **name, sph2d_report *report)
@@ -296,9 +309,9 @@ sph2d_status live_undo(live *l, const char **name, sph2d_report *report)
     const sph2d_status status = go_on(l, &act->scene, &state, report);
     if (status != SPH2D_OK)
         return status;
-    free(l->obstacles);
-    l->obstacles = act->obstacles;
-    act->obstacles = NULL;
+    free(l->lists);
+    l->lists = act->lists;
+    act->lists = NULL;
     *name = act->name;
     past_drop(&l->past);
     l->due = sph2d_sim_time(l->sim);

@@ -14,8 +14,8 @@
 
 typedef struct live {
     sph2d_scene_file *file;
-    sph2d_scene scene;         /**< the file's with the changes since */
-    sph2d_obstacle *obstacles; /**< its list: those of the file, then walls that were drawn */
+    sph2d_scene scene; /**< the file's with the changes since */
+    void *lists;       /**< its obstacles and bodies: those of the file, then what was drawn */
     sph2d_sim_options options;
     sph2d_sim *sim;
     sph2d_status stopped; /**< why it takes no more steps ... */
@@ -34,7 +34,7 @@ typedef struct live {
 sph2d_status live_open(live *l, sph2d_scene_file *file, const sph2d_sim_options *options, sph2d_report *report);
 void live_close(live *l);
 
-/** Starts the scene again, without the walls that were drawn, with its own gravity, at another spacing (0: the
+/** Starts the scene again, without what was drawn, with its own gravity, at another spacing (0: the
  *  same). */
 sph2d_status live_restart(live *l, double spacing, sph2d_report *report);
 
@@ -67,6 +67,17 @@ sph2d_status live_add_wall(live *l, const sph2d_vec2 *corners, size_t count, siz
 
 /** Goes on without the drawn wall that is at a place; *found says whether there is one. The same errors. */
 sph2d_status live_remove_wall(live *l, sph2d_vec2 at, bool *found, sph2d_report *report);
+
+/** Goes on with other walls and bodies, in lists of their own (lists_copy), which it takes unless it fails; `clear` removes
+ *  liquid in the way of `what` is new, and counts it, NULL: nothing. Where `anew` is set bodies start as the scene has
+ *  them. Errors: as sph2d_sim_restore. */
+typedef sph2d_status live_clear(const live *l, sph2d_sim *sim, const void *what, size_t *removed);
+sph2d_status live_rebuild(live *l, const sph2d_scene *scene, void *lists, bool anew, live_clear *clear,
+                          const void *what, size_t *removed, sph2d_report *report);
+
+/** How far liquid is from what was drawn, at least [m]; and from where that can be taken. */
+double live_clearance(const live *l);
+double live_grasp(const live *l);
 
 /** Keeps what is before an act of the user, for live_undo(). `name` is that of the act, and outlives it. */
 void live_remember(live *l, const char *name);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drawn.h"
+#include "lists.h"
 
 static const size_t MOST_BYTES = (size_t)128 << 20;
 
@@ -15,7 +15,7 @@ enum { VALUE = 8 }; /* bytes of a number of a state */
 static void drop_at(past *p, size_t k)
 {
     past_act *act = &p->acts[k];
-    free(act->obstacles);
+    free(act->lists);
     free(act->arrays);
     p->bytes -= act->bytes;
     --p->count;
@@ -61,16 +61,16 @@ static sph2d_array *copy_of(const sph2d_state *state, size_t bytes)
     return arrays;
 }
 
-void past_keep(past *p, const char *name, const sph2d_scene *scene, size_t given, const sph2d_state *state)
+void past_keep(past *p, const char *name, const sph2d_scene *scene, const sph2d_state *state)
 {
     past_act act = {.name = name, .scene = *scene, .array_count = state->array_count, .bytes = bytes_of(state)};
     while (p->count > 0 && (p->count == PAST_MOST_ACTS || p->bytes + act.bytes > MOST_BYTES))
         drop_at(p, 0);
     if (state->arrays && act.bytes <= MOST_BYTES)
-        act.obstacles = drawn_list(&act.scene, given, 0, 0, NULL);
-    act.arrays = act.obstacles ? copy_of(state, act.bytes) : NULL;
+        act.lists = lists_copy(&act.scene, NULL);
+    act.arrays = act.lists ? copy_of(state, act.bytes) : NULL;
     if (!act.arrays) {
-        free(act.obstacles);
+        free(act.lists);
         past_free(p); /* or an earlier act would be taken for this one */
         return;
     }

@@ -13,8 +13,8 @@ enum { PAST_MOST_ACTS = 10 };
 typedef struct past_act {
     const char *name; /**< of the act: "pour" */
     sph2d_scene scene;
-    sph2d_obstacle *obstacles; /**< its list, its own */
-    sph2d_array *arrays;       /**< of the state, in one block with their data */
+    void *lists;         /**< its obstacles and bodies, its own */
+    sph2d_array *arrays; /**< of the state, in one block with their data */
     size_t array_count, bytes;
 } past_act;
 
@@ -25,7 +25,7 @@ typedef struct past {
 } past;
 
 /** Keeps a copy of what is, before an act. Where there is no memory for it, nothing can be undone. */
-void past_keep(past *p, const char *name, const sph2d_scene *scene, size_t given, const sph2d_state *state);
+void past_keep(past *p, const char *name, const sph2d_scene *scene, const sph2d_state *state);
 
 /** Drops the latest act. */
 void past_drop(past *p);

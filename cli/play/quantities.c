@@ -25,6 +25,8 @@ double game_get(const game *g, game_quantity quantity)
         return scene->method.max_compression > 0 ? scene->method.max_compression : USUAL_COMPRESSION;
     case GAME_RATE:
         return g->rate;
+    case GAME_DENSITY:
+        return g->hand.density;
     }
     return 0;
 }
@@ -90,6 +92,10 @@ void game_set(game *g, game_quantity quantity, double value)
         break;
     case GAME_RATE:
         g->rate = fmin(fmax(value, 1.0 / 1024), 64);
+        break;
+    case GAME_DENSITY: /* within what is tested */
+        g->hand.density = fmin(fmax(value, 0.05), 20);
+        game_tell(g, "bodies of %.3g kg/m^3", g->hand.density * scene.fluid.density);
         break;
     }
 }

@@ -9,6 +9,7 @@
 
 #include "../clock.h"
 #include "game.h"
+#include "sketch.h"
 
 /* How long a message is shown [s]. */
 static const double message_time = 4;
@@ -46,37 +47,117 @@ static sph2d_status make_picture(game *g, sph2d_picture *picture, sph2d_report *
     return frame_make(&source, &style, &g->buffers, picture, report);
 }
 
-/* Adds the reach of the hand while it acts, as a line, and the wall that it draws, as thick as it will be. */
-static sph2d_status add_hand(game *g, sph2d_picture *picture)
+/** Outlines that are added to a picture. */
+typedef struct marks {
+    frame_buffers *buffers;
+    size_t count;
+    uint64_t next; /**< the number of the next outline */
+} marks;
+
+/* Corners of a circle, and of a shape at most. */
+enum { CIRCLE = 49, SHOWN_CORNERS = 256 };
+
+static void add_corner(marks *m, sph2d_vec2 at, sph2d_outline_liquid liquid)
 {
-    enum { CIRCLE = 49 };
-    const hand *h = &g->hand;
-    const double thickness = live_wall_thickness(&g->live);
-    if (!frame_reserve_corners(&g->buffers, picture, CIRCLE + 4 * DRAWN_MOST_CORNERS))
-        return SPH2D_NOMEM;
-    double *x = g->buffers.outline_x, *y = g->buffers.outline_y;
-    uint64_t *id = g->buffers.outline_id, *liquid = g->buffers.outline_liquid;
-    size_t count = picture->outline_count;
-    const uint64_t next = count > 0 ? id[count - 1] + 1 : 0;
-    for (size_t k = 0; k < CIRCLE && (h->down || h->pushes) && h->tool != HAND_WALL && !h->grip.holds; ++k, ++count) {
+    m->buffers->outline_x[m->count] = at.x;
+    m->buffers->outline_y[m->count] = at.y;
+    m->buffers->outline_id[m->count] = m->next;
+    m->buffers->outline_liquid[m->count++] = liquid;
+}
+
+static void add_outline(marks *m, const sph2d_vec2 *corners, size_t count, sph2d_outline_liquid liquid)
+{
+    for (size_t k = 0; k < count; ++k)
+        add_corner(m, corners[k], liquid);
+    ++m->next;
+}
+
+static void add_circle(marks *m, sph2d_vec2 center, double radius)
+{
+    for (size_t k = 0; k < CIRCLE; ++k) {
         const double angle = 6.283185307179586 * (double)(k % (CIRCLE - 1)) / (CIRCLE - 1);
-        x[count] = h->at.x + h->radius * cos(angle);
-        y[count] = h->at.y + h->radius * sin(angle);
-        id[count] = next;
-        liquid[count] = SPH2D_OUTLINE_LIQUID_BOTH;
+        add_corner(m, (sph2d_vec2){center.x + radius * cos(angle), center.y + radius * sin(angle)},
+                   SPH2D_OUTLINE_LIQUID_BOTH);
     }
-    const drawn_line line = h->corner_count > 1 ? live_divide(&g->live, h->corners, h->corner_count) : (drawn_line){0};
+    ++m->next;
+}
+
+/* The wall that is drawn, as thick as it will be. */
+static void add_wall(marks *m, const live *l, const hand *h)
+{
+    const double thickness = live_wall_thickness(l);
+    const drawn_line line = live_divide(l, h->corners, h->corner_count);
     for (size_t k = 0; k < line.pieces; ++k) {
         sph2d_vec2 corners[2 * DRAWN_MOST_CORNERS];
-        const size_t all = drawn_solid(&line, k, thickness, 0, corners), shown = thickness > 0 ? all : all / 2;
-        for (size_t i = 0; i < shown; ++i, ++count) {
-            x[count] = corners[i].x;
-            y[count] = corners[i].y;
-            id[count] = next + 1 + k;
-            liquid[count] = thickness > 0 ? SPH2D_OUTLINE_LIQUID_OUTSIDE : SPH2D_OUTLINE_LIQUID_BOTH;
-        }
+        const size_t all = drawn_solid(&line, k, thickness, 0, corners);
+        add_outline(m, corners, thickness > 0 ? all : all / 2,
+                    thickness > 0 ? SPH2D_OUTLINE_LIQUID_OUTSIDE : SPH2D_OUTLINE_LIQUID_BOTH);
     }
-    picture->outline_count = count;
+}
+
+/* The outline of a shape as a line, after a move if that is given. */
+static void add_shape(marks *m, const live *l, const sph2d_shape *shape, const body_move *from, const body_move *then)
+{
+    sph2d_vec2 corners[SHOWN_CORNERS + 1];
+    double piece = l->scene.spacing;
+    while (sph2d_shape_corners(shape, piece, NULL) > SHOWN_CORNERS && shape->kind == SPH2D_SHAPE_CIRCLE)
+        piece *= 2;
+    const size_t count = sph2d_shape_corners(shape, piece, NULL);
+    if (count == 0 || count > SHOWN_CORNERS)
+        return;
+    sph2d_shape_corners(shape, piece, corners);
+    for (size_t k = 0; from && k < count; ++k)
+        corners[k] = body_moved(then, body_moved(from, corners[k]));
+    corners[count] = corners[0];
+    add_outline(m, corners, count + 1, SPH2D_OUTLINE_LIQUID_BOTH);
+}
+
+/* Springs as lines to the points that do not move; a hinge is such a point. */
+static void add_springs(marks *m, const live *l)
+{
+    for (size_t k = 0; k < l->scene.body_count; ++k)
+        for (size_t i = 0; i < l->scene.bodies[k].spring_count; ++i) {
+            const sph2d_spring *s = &l->scene.bodies[k].springs[i];
+            const sph2d_vec2 line[2] = {live_spring_end(l, k, i), s->to};
+            if (s->length > 0)
+                add_outline(m, line, 2, SPH2D_OUTLINE_LIQUID_BOTH);
+            add_circle(m, s->to, l->scene.spacing);
+        }
+}
+
+/* What the hand is about to do: the reach while it acts, what it draws, where it puts a body. */
+static void add_hand(marks *m, const live *l, const hand *h)
+{
+    sph2d_shape shape;
+    const sph2d_vec2 line[2] = {h->grip.holds ? grip_place(&h->grip, l) : h->at, h->at};
+    if ((h->down || h->pushes) && h->tool < HAND_WALL && !h->grip.holds)
+        add_circle(m, h->at, h->radius);
+    if (h->tool == HAND_WALL && h->corner_count > 1)
+        add_wall(m, l, h);
+    if (h->tool == HAND_HOLD && h->grip.holds)
+        add_outline(m, line, 2, SPH2D_OUTLINE_LIQUID_BOTH);
+    if (sketch_shape(h, l, &shape))
+        add_shape(m, l, &shape, NULL, NULL);
+    if (h->tool == HAND_PULL && h->grip.holds && h->still) {
+        const body_move now = live_body_move(l, h->grip.body), then = grip_shift(&h->grip, l, h->at);
+        add_shape(m, l, &l->scene.bodies[h->grip.body].shape, &now, &then);
+    }
+}
+
+/* Adds lines that are in no simulation. */
+static sph2d_status add_marks(game *g, sph2d_picture *picture)
+{
+    size_t springs = 0;
+    for (size_t k = 0; k < g->live.scene.body_count; ++k)
+        springs += g->live.scene.bodies[k].spring_count;
+    const size_t most = CIRCLE + 4 * DRAWN_MOST_CORNERS + SHOWN_CORNERS + (CIRCLE + 2) * (springs + 1);
+    if (!frame_reserve_corners(&g->buffers, picture, most))
+        return SPH2D_NOMEM;
+    const size_t count = picture->outline_count;
+    marks m = {&g->buffers, count, count > 0 ? g->buffers.outline_id[count - 1] + 1 : 0};
+    add_springs(&m, &g->live);
+    add_hand(&m, &g->live, &g->hand);
+    picture->outline_count = m.count;
     return SPH2D_OK;
 }
 
@@ -91,7 +172,7 @@ void game_prepare(game *g, double pictures)
     snprintf(g->notes, sizeof g->notes, "%s%s%s", told, told[0] != '\0' && g->help ? "\n" : "",
              g->help ? game_help : "");
     if (status == SPH2D_OK)
-        status = add_hand(g, &picture);
+        status = add_marks(g, &picture);
     picture.caption = g->caption;
     picture.notes = g->notes[0] != '\0' ? g->notes : NULL;
     g->picture = picture;

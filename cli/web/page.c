@@ -175,6 +175,13 @@ EMSCRIPTEN_KEEPALIVE void page_key(int key)
         input.keys[input.key_count++] = key;
 }
 
+/** Takes a hand_tool. */
+EMSCRIPTEN_KEEPALIVE void page_pick(int tool)
+{
+    if (open_once)
+        game_pick(&the_game, (hand_tool)tool);
+}
+
 /** Lets `seconds` pass, with the pointer at (x, y) [pixels of the canvas] and its buttons: 1 left, 2 right. Returns false
  *  where drawing failed; page_told() says why. */
 EMSCRIPTEN_KEEPALIVE int page_turn(double seconds, int width, int height, double x, double y, int buttons,
@@ -217,11 +224,11 @@ EMSCRIPTEN_KEEPALIVE void page_set(int quantity, double value)
 
 /** Numbers that tell how play goes: simulated time [s], particles, pictures a second, the pace against the clock, the time
  *  of a turn's steps and of its picture [s], steps so far, whether it is paused and whether it stopped; gravity,
- *  viscosity, surface tension, compression and rate as game_get() has them, the tool, and the
+ *  viscosity, surface tension, compression, rate and density as game_get() has them, the tool, and the
  *  particles that left through open sides. */
 EMSCRIPTEN_KEEPALIVE const double *page_numbers(void)
 {
-    enum { NUMBERS = 16 };
+    enum { NUMBERS = 17 };
     static double numbers[NUMBERS];
     if (!open_once)
         return numbers;
@@ -240,6 +247,7 @@ EMSCRIPTEN_KEEPALIVE const double *page_numbers(void)
                                  game_get(&the_game, GAME_TENSION),
                                  game_get(&the_game, GAME_COMPRESSION),
                                  game_get(&the_game, GAME_RATE),
+                                 game_get(&the_game, GAME_DENSITY),
                                  the_game.hand.tool,
                                  (double)live_left(l)};
     memcpy(numbers, all, sizeof numbers);

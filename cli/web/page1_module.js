@@ -24,7 +24,7 @@ const key = (name) => sph2d._page_key(name.codePointAt(0));
 // How play goes, by name.
 function numbers() {
     const names = ['time', 'particles', 'pictures', 'pace', 'stepping', 'drawing', 'steps', 'paused', 'stopped',
-        'gravity', 'viscosity', 'tension', 'compression', 'rate', 'tool', 'left'];
+        'gravity', 'viscosity', 'tension', 'compression', 'rate', 'density', 'tool', 'left'];
     const at = sph2d._page_numbers() / 8, values = sph2d.HEAPF64.subarray(at, at + names.length);
     return Object.fromEntries(names.map((name, k) => [name, values[k]]));
 }

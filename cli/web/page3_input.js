@@ -57,6 +57,7 @@ const sliders = {
     tension: {what: 2, value: (s) => (s <= -1 ? 0 : 10 ** s), place: (v) => (v > 0 ? Math.log10(v) : -1)},
     compression: {what: 3, value: (s) => 10 ** s, place: (v) => Math.log10(v)},
     rate: {what: 4, value: (s) => 2 ** s, place: (v) => Math.log2(v), id: 'pace'},
+    density: {what: 5, value: (s) => 10 ** s, place: (v) => Math.log10(v)},
 };
 
 function startSliders() {

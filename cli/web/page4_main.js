@@ -1,6 +1,6 @@
 // The page: scenes, buttons, pictures, films, and the loop.
 const element = (id) => document.getElementById(id);
-const TOOLS = ['P', 'O', 'E', 'W']; // as hand_tool in cli/play/hand.h
+const tools = [...element('tools').children]; // in the order of hand_tool in cli/play/hand.h
 let told = '', toldUntil = 0, recorder = null, last = 0;
 
 function download(data, name) {
@@ -97,8 +97,7 @@ function showState() {
         `${now.pictures.toFixed(0)} pictures/s   ${(1000 * now.stepping).toFixed(1)} ms steps, ` +
         `${(1000 * now.drawing).toFixed(1)} ms drawing`;
     element('pause').textContent = now.paused ? 'Go on' : 'Pause';
-    element('tools').querySelectorAll('button').forEach((button) =>
-        button.classList.toggle('on', button.dataset.key === TOOLS[now.tool]));
+    tools.forEach((button, k) => button.classList.toggle('on', k === now.tool));
     showSliders(now);
     const message = ask('page_told');
     if (message) tell(message);
@@ -123,6 +122,12 @@ function startButtons() {
     document.querySelectorAll('button[data-key]').forEach((button) => {
         button.onclick = () => {
             key(button.dataset.key);
+            canvas.focus();
+        };
+    });
+    tools.forEach((button, k) => {
+        button.onclick = () => {
+            sph2d._page_pick(k);
             canvas.focus();
         };
     });

@@ -130,8 +130,9 @@ obstacles:
 bodies:
   - {box: {min: [0.7, 0.7], max: [0.8, 0.8]}, density: 5000}
 END
-draw() { # X Y...: a wall through places of the window
-    xdotool key w mousemove --window "$window" "$1" "$2" mousedown 1
+draw() { # KEY X Y...: a wall or a body through places of the window
+    xdotool key "$1" mousemove --window "$window" "$2" "$3" mousedown 1
+    shift
     shift 2
     while [ $# -gt 0 ]; do
         sleep 0.2
@@ -148,10 +149,10 @@ walls() { # how many the saved scene has
 }
 play column.yaml
 sleep 2
-draw 60 60 120 120 60 120 120 60 120 160
+draw w 60 60 120 120 60 120 120 60 120 160
 xdotool key 0
-draw 60 180 120 180
-draw 150 60 230 60 # where the body was
+draw w 60 180 120 180
+draw w 150 60 230 60 # where the body was
 xdotool key s
 [ "$(walls played_001)" -ge 6 ] || fail 'no wall was drawn where a block was'
 expect 0 "$SPH2D" resume played_001 -q --no-frames -s run.until=0
@@ -171,6 +172,51 @@ xdotool key s
 [ "$(walls played_004)" = 0 ] || fail 'walls after they were undone'
 ! grep -q 'gravity: \[0, 0\]' played_004/scene.yaml || fail 'no gravity after that was undone'
 quit
+
+# Bodies are drawn, held and let go while the run is paused, and one is moved; what is saved then runs.
+count() { grep -c "$1" "$2"/scene.yaml || :; }
+save() { # FOLDER
+    xdotool key s
+    until_there "$1"/snapshot_000000.h5
+}
+play pool.yaml
+xdotool key space
+draw d 90 60 110 60 125 60       # a circle from its centre
+draw d 180 50 200 70 230 90      # a box from corner to corner
+draw d 250 40 300 40 300 90 250 90 250 45 # an outline
+draw j 205 70                    # a hinge in the middle of the box
+draw j 90 60 70 40 60 20         # a spring from the circle
+save played_005
+[ "$(count density played_005)" = 3 ] || fail 'not three bodies'
+[ "$(count stiffness played_005)" = 2 ] || fail 'not two springs'
+[ "$(count 'length: 0$' played_005)" = 1 ] || fail 'not one hinge'
+grep -q 'density: 500$' played_005/scene.yaml || fail 'bodies are not half as dense as the liquid'
+xdotool key bracketright
+draw p 275 60 275 45 275 35 # up
+draw d 90 170 110 170 120 170 # in the liquid
+save played_006
+! cmp -s played_005/scene.yaml played_006/scene.yaml || fail 'the body was not moved'
+grep -q 'density: 625$' played_006/scene.yaml || fail 'the body is not denser'
+[ "$(count density played_006)" = 4 ] || fail 'no body in the liquid'
+xdotool click 3 # there
+sleep 0.3
+save played_007
+[ "$(count density played_007)" = 3 ] || fail 'the body was not taken away'
+xdotool key space
+sleep 2
+draw j 205 70
+save played_008
+[ "$(count stiffness played_008)" = 1 ] || fail 'the box was not let go'
+xdotool key u
+sleep 0.3
+save played_009
+[ "$(count stiffness played_009)" = 2 ] || fail 'the hinge did not come back'
+quit
+for saved in played_005 played_006 played_007 played_008; do
+    expect 0 "$SPH2D" check $saved/scene.yaml -q
+    expect 0 "$SPH2D" run $saved/scene.yaml -o run_$saved -q --no-frames -s run.until=0.2
+    expect 0 "$SPH2D" resume $saved -q --no-frames -s run.until=0
+done
 
 # Liquid that leaves a tank is told, and comes back: by undo, or from the start.
 play pool.yaml
@@ -200,13 +246,13 @@ grep -q "; $first particles$" err || fail "not $first particles after a new star
 # Ten acts at most.
 play pool.yaml
 xdotool key v v v v v v v v v v v v s
-until_there played_005/snapshot_000000.h5
+until_there played_010/snapshot_000000.h5
 xdotool key u u u u u u u u u u u u u u s
-until_there played_006/snapshot_000000.h5
+until_there played_011/snapshot_000000.h5
 quit
 viscosity() { sed -n 's/.*dynamic_viscosity: *\([0-9.e-]*\).*/\1/p' "$1"/scene.yaml; }
-awk "BEGIN { exit !($(viscosity played_005) / $(viscosity played_006) == 1024) }" ||
-    fail "$(viscosity played_005) Pa s, $(viscosity played_006) after ten acts were undone"
+awk "BEGIN { exit !($(viscosity played_010) / $(viscosity played_011) == 1024) }" ||
+    fail "$(viscosity played_010) Pa s, $(viscosity played_011) after ten acts were undone"
 
 # The example draws into a window of its own.
 example=$SPH2D_ROOT/build/examples/window

@@ -39,6 +39,14 @@ async function at(browser, x, y) {
     return [box[0] + x * box[2], box[1] + y * box[3]];
 }
 
+// A place of the scene on the canvas: the picture fits the domain into it.
+async function sceneAt(browser, x, y, width, height) {
+    const [canvasWidth, canvasHeight] = await browser.value('[canvas.width, canvas.height]');
+    const strip = 0.045 * canvasHeight, scale = Math.min(canvasWidth / width, (canvasHeight - strip) / height);
+    return at(browser, 0.5 + (x - width / 2) * scale / canvasWidth,
+        (0.5 * (canvasHeight - strip) - (y - height / 2) * scale) / canvasHeight);
+}
+
 async function drag(browser, places, button = 'left') {
     const buttons = button === 'left' ? 1 : 2;
     await browser.mouse('mousePressed', ...places[0], {button, buttons});
@@ -224,13 +232,7 @@ const tests = {
 
     'mouse: a body is held, a wheel is turned': async (browser) => {
         const body = (index) => browser.value(`Array.from(sph2d.HEAPF64.subarray(sph2d._page_body(${index}) / 8).slice(0, 3))`);
-        // A place of the scene on the canvas: the picture fits the domain into it.
-        const place = async (x, y, width, height) => {
-            const [canvasWidth, canvasHeight] = await browser.value('[canvas.width, canvas.height]');
-            const strip = 0.045 * canvasHeight, scale = Math.min(canvasWidth / width, (canvasHeight - strip) / height);
-            return at(browser, 0.5 + (x - width / 2) * scale / canvasWidth,
-                (0.5 * (canvasHeight - strip) - (y - height / 2) * scale) / canvasHeight);
-        };
+        const place = (...where) => sceneAt(browser, ...where);
         await open(browser, text('6_ship.yaml'));
         await browser.until('numbers().steps > 5');
         const before = await body(1);
@@ -244,6 +246,45 @@ const tests = {
         await drag(browser, await Promise.all([0, 0.3, 0.6, 0.9, 1.2, 1.5].map((turn) =>
             place(1.1 + 0.1 * Math.sin(turn), 0.5 + 0.1 * Math.cos(turn), 2.2, 1.2))));
         assert((await body(0))[2] < angle - 0.1, `the wheel turns: ${angle} to ${(await body(0))[2]}`);
+    },
+
+    'bodies are drawn, held and let go': async (browser) => {
+        const body = (index) => browser.value(`Array.from(sph2d.HEAPF64.subarray(sph2d._page_body(${index}) / 8).slice(0, 3))`);
+        const count = async (word) => (await browser.value('ask("page_text")')).split(word).length - 1;
+        const draw = async (tool, ...places) => {
+            await browser.value(`tools[${tool}].click()`);
+            await drag(browser, await Promise.all(places.map(([x, y]) => sceneAt(browser, x, y, 1.6, 0.9))));
+            await sleep(200);
+        };
+        await open(browser, text('1_dam_break.yaml'));
+        await browser.until('numbers().steps > 2');
+        await pause(browser, true);
+        await draw(4, [1.0, 0.6], [1.05, 0.6], [1.1, 0.6]);
+        await draw(5, [1.2, 0.4], [1.25, 0.5], [1.4, 0.6]);
+        await draw(6, [0.6, 0.2], [0.7, 0.15], [0.8, 0.2], [0.8, 0.3], [0.7, 0.35], [0.6, 0.3], [0.6, 0.22]);
+        assert.strictEqual(await count('density: 500'), 3);
+        await draw(4, [1.0, 0.6], [1.2, 0.6]);
+        assert.match(await browser.value('told'), /no body: starts in bodies/);
+        await draw(6, [0.2, 0.75], [0.5, 0.85], [0.5, 0.75], [0.2, 0.88]);
+        assert.match(await browser.value('told'), /no body: a polygon must not cross/);
+        await draw(4, [0.2, 0.2], [0.25, 0.2], [0.3, 0.2]);
+        assert.match(await browser.value('told'), /took the place of \d{3} particles/);
+        await draw(7, [1.3, 0.5]);
+        await draw(7, [1.0, 0.6], [1.0, 0.7], [1.0, 0.8]);
+        assert.strictEqual(await count('stiffness'), 2);
+        await draw(0, [0.7, 0.25], [0.7, 0.4], [0.7, 0.6]); // moved while time stands still
+        const moved = await body(2);
+        assert(Math.abs(moved[1] - 0.61) < 0.03 && (await numbers(browser)).paused, `${moved} after it was moved up`);
+        const held = await body(1), hung = await body(0);
+        await pause(browser, false);
+        await browser.until(`numbers().time > ${(await numbers(browser)).time} + 0.5`, 90);
+        const after = [await body(0), await body(1), await body(2)];
+        assert(Math.hypot(after[1][0] - held[0], after[1][1] - held[1]) < 0.02, `the box is held: ${held} to ${after[1]}`);
+        assert(after[0][1] > hung[1] - 0.15, `the circle hangs: ${hung} to ${after[0]}`);
+        assert(after[2][1] < moved[1] - 0.15, `what is not held falls: ${moved} to ${after[2]}`);
+        await draw(7, [1.3, 0.5]);
+        assert.strictEqual(await count('stiffness'), 1);
+        await browser.press('p');
     },
 
     'touch: a finger pours': async (browser) => {
