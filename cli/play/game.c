@@ -37,7 +37,10 @@ game game_new(const cli_options *options, const sph2d_sim_options *sim_options)
 void game_take_scene(game *g)
 {
     frame_style style = frame_style_of_scene(sph2d_sim_scene(g->live.sim));
-    style.name = g->live.scene.name; /* the file's: simulations come and go */
+    style.name = g->live.scene.name; /* texts are the file's: simulations come and go */
+    style.frames.color = g->live.scene.run.frames.color;
+    style.frames.isolines = g->live.scene.run.frames.isolines;
+    style.frames.follow = g->live.scene.run.frames.follow;
     style.frames.caption = SPH2D_SWITCH_ON;
     style.frames.background = SPH2D_BACKGROUND_OPAQUE; /* there is nothing behind a window's picture */
     style.frames.style = g->options->style_given ? g->options->style : style.frames.style;
@@ -122,6 +125,7 @@ void game_close(game *g)
 void game_hand(game *g, const sph2d_renderer *renderer, const play_input *input)
 {
     sph2d_report report = {0};
+    game_look(g, renderer, input);
     hand_scale(&g->hand, input->scroll);
     g->hand.still = g->paused;
     sph2d_vec2 at;

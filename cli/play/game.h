@@ -23,6 +23,8 @@ typedef struct game {
     bool prepared;         /**< there is one */
     char caption[240], notes[1200];
     sph2d_vec2 color_range; /**< of all that was shown of this field */
+    sph2d_vec2 mouse;       /**< where it was [pixels] ... */
+    bool pans;              /**< ... and whether it moved the view */
     double rate;            /**< simulated seconds for one of the clock */
     bool paused, help, quits;
     int fits_in;         /**< pictures until game_fit(); 0: never */
@@ -96,6 +98,10 @@ void game_pick(game *g, hand_tool tool);
 
 /** Does what a key says. */
 void game_key(game *g, int key);
+
+/** Moves and scales the view as the mouse says; and goes back to the scene's own. */
+void game_look(game *g, const sph2d_renderer *renderer, const play_input *input);
+void game_look_home(game *g);
 
 /** Moves the hand to where the mouse is in the last picture. */
 void game_hand(game *g, const sph2d_renderer *renderer, const play_input *input);

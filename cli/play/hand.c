@@ -27,7 +27,7 @@ hand hand_for(const sph2d_scene *scene)
 
 const char *hand_name(hand_tool tool)
 {
-    static const char *const names[] = {"pull", "pour", "wipe", "wall", "circle", "box", "outline", "hold"};
+    static const char *const names[] = {"pull", "push", "pour", "wipe", "wall", "circle", "box", "outline", "hold"};
     return names[tool];
 }
 
@@ -80,6 +80,15 @@ static bool is_far(const hand *h, const live *l, size_t corner)
     return hypot(h->at.x - from.x, h->at.y - from.y) > fmax(live_wall_thickness(l), l->scene.spacing);
 }
 
+static sph2d_status erase_wall(hand *h, live *l, sph2d_report *report)
+{
+    bool found;
+    const sph2d_status status = live_remove_wall(l, h->at, &found, report);
+    if (status == SPH2D_OK)
+        snprintf(h->note, sizeof h->note, found ? "wall taken away" : "no wall was drawn here");
+    return status;
+}
+
 /* Adds a corner where the hand is as far from the last one as the wall is thick, so that it can be mitred, and makes the wall
  * when the hand is lifted: it ends there. */
 static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
@@ -96,7 +105,7 @@ static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
     size_t removed = 0;
     h->corner_count = 0;
     if (count < 2)
-        return SPH2D_OK;
+        return erase_wall(h, l, report);
     const size_t body = grip_in_way(l, h->corners, count, live_wall_thickness(l));
     if (body != SIZE_MAX) {
         const char *name = l->scene.bodies[body].name;
@@ -109,15 +118,6 @@ static sph2d_status draw_wall(hand *h, live *l, bool down, sph2d_report *report)
         past_drop(&l->past);
     else if (removed > 0)
         snprintf(h->note, sizeof h->note, "the wall took the place of %zu particles; U brings them back", removed);
-    return status;
-}
-
-static sph2d_status erase_wall(hand *h, live *l, sph2d_report *report)
-{
-    bool found;
-    const sph2d_status status = live_remove_wall(l, h->at, &found, report);
-    if (status == SPH2D_OK)
-        snprintf(h->note, sizeof h->note, found ? "wall taken away" : "no wall was drawn here");
     return status;
 }
 
@@ -151,7 +151,8 @@ sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, s
         h->grip = grip_take(l, at);
     const sph2d_vec2 g = l->scene.gravity;
     const double strength = STRENGTH * fmax(hypot(g.x, g.y), smaller_side(&l->scene));
-    const double acts = right && !draws ? -strength : left && h->tool == HAND_PULL && !h->grip.holds ? strength : 0;
+    const bool pushes = (right && !draws) || (left && h->tool == HAND_PUSH);
+    const double acts = pushes ? -strength : left && h->tool == HAND_PULL && !h->grip.holds ? strength : 0;
     if (l->stopped != SPH2D_OK)
         return SPH2D_OK;
     if ((pressed || pushed) && !draws)

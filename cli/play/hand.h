@@ -9,6 +9,7 @@
 /** From HAND_WALL on what is drawn is made when the button comes up. */
 typedef enum hand_tool {
     HAND_PULL,
+    HAND_PUSH,
     HAND_POUR,
     HAND_WIPE,
     HAND_WALL,
@@ -38,7 +39,7 @@ hand hand_for(const sph2d_scene *scene);
 const char *hand_name(hand_tool tool);
 
 /** Moves the hand to a place, with its buttons: left uses the tool, right pushes, or takes away what was drawn where
- *  the tool draws. Acts on the liquid; what was before an act is kept when it begins. Errors: as the functions of live.h. */
+ *  the tool draws, as a click does. Acts on the liquid; what was before an act is kept when it begins. Errors: as the functions of live.h. */
 sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, sph2d_report *report);
 
 /** Takes another tool; what is half drawn is left. */

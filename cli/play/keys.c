@@ -18,9 +18,10 @@ enum { COLORS = sizeof colors / sizeof colors[0] };
 #endif
 
 const char game_help[] = "mouse: left uses the tool or holds a body, right pushes, wheel: reach\n"
-                         "P pull  O pour  E wipe  W wall  D body: circle, box, outline\n"
+                         "Ctrl and wheel: zoom  middle: move the view  Home: all\n"
+                         "P pull  G push  O pour  E wipe  W wall  D body: circle, box, outline\n"
                          "J hinge (click), spring (drag)  [ ] density of bodies\n"
-                         "right with W, D, J takes away\n"
+                         "a click or right with W, D, J takes away\n"
                          "U or Ctrl-Z undo (ten acts)   1 to 9 scenes  R again\n"
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"
@@ -142,8 +143,9 @@ static void one_step(game *g)
 
 void game_pick(game *g, hand_tool tool)
 {
+    if (tool != g->hand.tool)
+        game_tell(g, "tool: %s", hand_name(tool));
     hand_take(&g->hand, tool);
-    game_tell(g, "tool: %s", hand_name(tool));
 }
 
 static bool tool_key(game *g, int key)
@@ -152,6 +154,9 @@ static bool tool_key(game *g, int key)
     switch (key) {
     case 'P':
         game_pick(g, HAND_PULL);
+        return true;
+    case 'G':
+        game_pick(g, HAND_PUSH);
         return true;
     case 'O':
         game_pick(g, HAND_POUR);
@@ -244,6 +249,9 @@ static bool look_key(game *g, int key)
         return true;
     case 'C':
         next_color(g);
+        return true;
+    case PLAY_KEY_HOME:
+        game_look_home(g);
         return true;
     case 'H':
         g->help = !g->help;

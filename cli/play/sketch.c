@@ -120,6 +120,32 @@ static sph2d_status settle(hand *h, live *l, sph2d_status status, const char *re
     return SPH2D_OK;
 }
 
+static sph2d_status let_go(hand *h, live *l, size_t body, size_t spring, sph2d_report *report)
+{
+    live_remember(l, "let go");
+    const sph2d_status status = live_release(l, body, spring, report);
+    if (status == SPH2D_OK)
+        snprintf(h->note, sizeof h->note, "let go");
+    return settle(h, l, status, "not let go", 0, report);
+}
+
+sph2d_status sketch_erase(hand *h, live *l, sph2d_report *report)
+{
+    const grip here = grip_take(l, h->at);
+    const size_t springs = here.holds ? l->scene.bodies[here.body].spring_count : 0;
+    if (h->tool == HAND_HOLD && springs > 0)
+        return let_go(h, l, here.body, springs - 1, report);
+    if (h->tool == HAND_HOLD || !here.holds || !live_is_drawn(l, here.body)) {
+        snprintf(h->note, sizeof h->note, h->tool == HAND_HOLD ? "nothing is held here" : "no body was drawn here");
+        return SPH2D_OK;
+    }
+    live_remember(l, "body taken away");
+    const sph2d_status status = live_remove_body(l, here.body, report);
+    if (status == SPH2D_OK)
+        snprintf(h->note, sizeof h->note, "body taken away");
+    return settle(h, l, status, "not taken away", 0, report);
+}
+
 sph2d_status sketch_body(hand *h, live *l, bool down, sph2d_report *report)
 {
     if (down) {
@@ -131,8 +157,11 @@ sph2d_status sketch_body(hand *h, live *l, bool down, sph2d_report *report)
     if (h->tool == HAND_OUTLINE)
         simplify(h, l->scene.spacing / 2);
     sph2d_shape shape;
+    const sph2d_vec2 begun = h->corners[0];
     const bool made = sketch_shape(h, l, &shape);
     h->corner_count = 0; /* the corners stay */
+    if (hypot(h->at.x - begun.x, h->at.y - begun.y) < live_grasp(l) && grip_take(l, h->at).holds)
+        return sketch_erase(h, l, report);
     if (!made || sqrt(area_of(&shape)) < SMALLEST * l->scene.spacing) {
         snprintf(h->note, sizeof h->note, "draw a body of %.2g m across or more", SMALLEST * l->scene.spacing);
         return SPH2D_OK;
@@ -152,15 +181,6 @@ sph2d_status sketch_put(hand *h, live *l, sph2d_report *report)
 }
 
 /* ---- what holds them --------------------------------------------------------------------------------------------- */
-
-static sph2d_status let_go(hand *h, live *l, size_t body, size_t spring, sph2d_report *report)
-{
-    live_remember(l, "let go");
-    const sph2d_status status = live_release(l, body, spring, report);
-    if (status == SPH2D_OK)
-        snprintf(h->note, sizeof h->note, "let go");
-    return settle(h, l, status, "not let go", 0, report);
-}
 
 sph2d_status sketch_hold(hand *h, live *l, bool down, sph2d_report *report)
 {
@@ -186,21 +206,4 @@ sph2d_status sketch_hold(hand *h, live *l, bool down, sph2d_report *report)
     if (status == SPH2D_OK)
         snprintf(h->note, sizeof h->note, "%s; a click on it lets go", clicked ? "a hinge" : "a spring");
     return settle(h, l, status, "not held", 0, report);
-}
-
-sph2d_status sketch_erase(hand *h, live *l, sph2d_report *report)
-{
-    const grip here = grip_take(l, h->at);
-    const size_t springs = here.holds ? l->scene.bodies[here.body].spring_count : 0;
-    if (h->tool == HAND_HOLD && springs > 0)
-        return let_go(h, l, here.body, springs - 1, report);
-    if (h->tool == HAND_HOLD || !here.holds || !live_is_drawn(l, here.body)) {
-        snprintf(h->note, sizeof h->note, h->tool == HAND_HOLD ? "nothing is held here" : "no body was drawn here");
-        return SPH2D_OK;
-    }
-    live_remember(l, "body taken away");
-    const sph2d_status status = live_remove_body(l, here.body, report);
-    if (status == SPH2D_OK)
-        snprintf(h->note, sizeof h->note, "body taken away");
-    return settle(h, l, status, "not taken away", 0, report);
 }

@@ -87,7 +87,8 @@ sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_lo
     const bool visible = input->width >= 16 && input->height >= 16, beside = visible && t->worker;
     g->hand.down &= input->left; /* a key finds the buttons as they are */
     g->hand.pushes &= input->right;
-    if (input->left || input->right || input->key_count > 0) /* nobody's doing is to begin again */
+    if (input->left || input->middle || input->right || input->zoom != 0 ||
+        input->key_count > 0) /* nobody's doing is to begin again */
         g->fits_in = 0;
     for (int k = 0; k < input->key_count; ++k)
         game_key(g, input->keys[k]);

@@ -27,6 +27,8 @@ static int key_of(int key)
         return PLAY_KEY_UP;
     case GLFW_KEY_ESCAPE:
         return PLAY_KEY_ESCAPE;
+    case GLFW_KEY_HOME:
+        return PLAY_KEY_HOME;
     case GLFW_KEY_KP_ADD:
         return '+';
     case GLFW_KEY_KP_SUBTRACT:
@@ -50,7 +52,9 @@ static void on_scroll(GLFWwindow *handle, double x, double y)
 {
     (void)x;
     play_window *w = glfwGetWindowUserPointer(handle);
-    w->input.scroll += y;
+    const bool control = glfwGetKey(handle, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
+                         glfwGetKey(handle, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
+    *(control ? &w->input.zoom : &w->input.scroll) += y;
 }
 
 static sph2d_status refuse(sph2d_report *report, const char *what)
@@ -123,6 +127,7 @@ play_input play_window_poll(play_window *w, double patience)
     w->input.width = (unsigned)width;
     w->input.height = (unsigned)height;
     w->input.left = glfwGetMouseButton(w->handle, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS;
+    w->input.middle = glfwGetMouseButton(w->handle, GLFW_MOUSE_BUTTON_MIDDLE) == GLFW_PRESS;
     w->input.right = glfwGetMouseButton(w->handle, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS;
     w->input.close = glfwWindowShouldClose(w->handle);
     return w->input;

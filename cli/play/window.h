@@ -11,16 +11,16 @@
 typedef struct play_window play_window;
 
 /** Keys that are no letters, digits or signs; the others are themselves, letters in upper case. */
-enum { PLAY_KEY_LEFT = 256, PLAY_KEY_RIGHT, PLAY_KEY_DOWN, PLAY_KEY_UP, PLAY_KEY_ESCAPE };
+enum { PLAY_KEY_LEFT = 256, PLAY_KEY_RIGHT, PLAY_KEY_DOWN, PLAY_KEY_UP, PLAY_KEY_ESCAPE, PLAY_KEY_HOME };
 enum { PLAY_MOST_KEYS = 16 };
 
 /** What happened since the last call, and what is held down now. */
 typedef struct play_input {
     bool close;
-    unsigned width, height; /**< of what is drawn [pixels]; 0 while the window is hidden */
-    double x, y;            /**< the mouse, from the upper left corner [pixels] */
-    bool left, right;       /**< its buttons */
-    double scroll;          /**< turns of its wheel, positive away from the user */
+    unsigned width, height;   /**< of what is drawn [pixels]; 0 while the window is hidden */
+    double x, y;              /**< the mouse, from the upper left corner [pixels] */
+    bool left, middle, right; /**< its buttons */
+    double scroll, zoom;      /**< turns of its wheel, positive away from the user; with Ctrl */
     int keys[PLAY_MOST_KEYS];
     int key_count;
 } play_input;

@@ -182,10 +182,10 @@ EMSCRIPTEN_KEEPALIVE void page_pick(int tool)
         game_pick(&the_game, (hand_tool)tool);
 }
 
-/** Lets `seconds` pass, with the pointer at (x, y) [pixels of the canvas] and its buttons: 1 left, 2 right. Returns false
- *  where drawing failed; page_told() says why. */
+/** Lets `seconds` pass, with the pointer at (x, y) [pixels of the canvas], its buttons: 1 left, 2 right, 4 middle, and
+ *  turns of its wheel, without and with Ctrl. Returns false where drawing failed; page_told() says why. */
 EMSCRIPTEN_KEEPALIVE int page_turn(double seconds, int width, int height, double x, double y, int buttons,
-                                   double scroll)
+                                   double scroll, double zoom)
 {
     static sph2d_report report;
     if (!open_once)
@@ -196,7 +196,9 @@ EMSCRIPTEN_KEEPALIVE int page_turn(double seconds, int width, int height, double
     input.y = y;
     input.left = buttons & 1;
     input.right = buttons & 2;
+    input.middle = buttons & 4;
     input.scroll = scroll;
+    input.zoom = zoom;
     ask_for_errors(the_turning.shown ==
                    0); /* what can fail fails in the first picture, or the browser tells the page */
     const sph2d_status status = turn_take(&the_turning, &the_game, &input, find_function, seconds, &report);

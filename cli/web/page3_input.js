@@ -1,6 +1,6 @@
 // Pointers, keys and sliders.
 const canvas = document.getElementById('canvas');
-const pointer = {x: 0, y: 0, buttons: 0, clicked: 0, scroll: 0};
+const pointer = {x: 0, y: 0, buttons: 0, clicked: 0, scroll: 0, zoom: 0};
 
 function moveTo(event) {
     const box = canvas.getBoundingClientRect(), scale = canvas.width / box.width;
@@ -8,19 +8,38 @@ function moveTo(event) {
     pointer.y = (event.clientY - box.top) * scale;
 }
 
-// One finger or the left button uses the tool; two fingers, the right button or Shift push.
+// One finger or the left button uses the tool, the right button or Shift pushes; the middle one, or two fingers, move the view,
+// and fingers that part make it larger.
 function startPointer() {
-    const touches = new Set();
+    const touches = new Map();
+    const gesture = () => {
+        const [one, other] = [...touches.values()];
+        moveTo({clientX: (one.clientX + other.clientX) / 2, clientY: (one.clientY + other.clientY) / 2});
+        return Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY);
+    };
+    let apart = 0;
     canvas.addEventListener('pointerdown', (event) => {
         canvas.focus({preventScroll: true});
         canvas.setPointerCapture(event.pointerId);
-        touches.add(event.pointerId);
+        touches.set(event.pointerId, event);
         moveTo(event);
-        pointer.buttons = touches.size > 1 || event.button === 2 || event.shiftKey ? 2 : 1;
+        if (touches.size === 2) {
+            sph2d._page_pick(numbers().tool); // what one finger began is left
+            apart = gesture();
+        }
+        pointer.buttons = touches.size > 1 || event.button === 1 ? 4 : event.button === 2 || event.shiftKey ? 2 : 1;
         pointer.clicked = pointer.buttons; // until a turn has seen it
         event.preventDefault();
     });
-    canvas.addEventListener('pointermove', moveTo);
+    canvas.addEventListener('pointermove', (event) => {
+        if (!touches.has(event.pointerId) || touches.size === 1) moveTo(event);
+        if (!touches.has(event.pointerId)) return;
+        touches.set(event.pointerId, event);
+        if (touches.size !== 2) return;
+        const now = gesture();
+        pointer.zoom += Math.log(now / apart) / Math.log(1.1);
+        apart = now;
+    });
     const lift = (event) => {
         touches.delete(event.pointerId);
         if (touches.size === 0) pointer.buttons = 0;
@@ -28,13 +47,15 @@ function startPointer() {
     canvas.addEventListener('pointerup', lift);
     canvas.addEventListener('pointercancel', lift);
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
-    canvas.addEventListener('wheel', (event) => {
-        pointer.scroll -= Math.sign(event.deltaY);
+    canvas.addEventListener('wheel', (event) => { // a pinch on a trackpad is a wheel with Ctrl, in small parts
+        moveTo(event);
+        if (event.ctrlKey) pointer.zoom -= Math.max(-1, Math.min(1, event.deltaY / 20));
+        else pointer.scroll -= Math.sign(event.deltaY);
         event.preventDefault();
     }, {passive: false});
 }
 
-const ARROWS = {ArrowLeft: 256, ArrowRight: 257, ArrowDown: 258, ArrowUp: 259}; // as in cli/play/window.h
+const KEYS = {ArrowLeft: 256, ArrowRight: 257, ArrowDown: 258, ArrowUp: 259, Home: 261}; // as in cli/play/window.h
 
 function startKeys(special) {
     window.addEventListener('keydown', (event) => {
@@ -43,10 +64,10 @@ function startKeys(special) {
         if (typing || (control && !undo) || event.altKey) return;
         const name = undo ? 'U' : event.key.length === 1 ? event.key.toUpperCase() : event.key;
         if (special[name]) special[name]();
-        else if (ARROWS[name]) sph2d._page_key(ARROWS[name]);
+        else if (KEYS[name]) sph2d._page_key(KEYS[name]);
         else if (name.length === 1 && name !== 'Q') key(name);
         else return;
-        if (name === ' ' || ARROWS[name]) event.preventDefault(); // neither a button nor the page's scrolling
+        if (name === ' ' || KEYS[name]) event.preventDefault(); // neither a button nor the page's scrolling
     });
 }
 

@@ -109,11 +109,11 @@ function turn(time) {
     last = time;
     fitCanvas();
     const buttons = pointer.buttons || pointer.clicked;
-    if (!sph2d._page_turn(seconds, canvas.width, canvas.height, pointer.x, pointer.y, buttons, pointer.scroll)) {
+    if (!sph2d._page_turn(seconds, canvas.width, canvas.height, pointer.x, pointer.y, buttons, pointer.scroll, pointer.zoom)) {
         element('trouble').textContent = ask('page_told');
         return;
     }
-    pointer.scroll = pointer.clicked = 0;
+    pointer.scroll = pointer.zoom = pointer.clicked = 0;
     showState();
     requestAnimationFrame(turn);
 }

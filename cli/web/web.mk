@@ -10,7 +10,7 @@ WEB_LIBS := $(WEB)/sources
 WEB_WITHOUT := src/files/h5_% src/files/snapshot% src/files/parameters% src/files/series.c \
     src/render/streamlines.c src/render/png_file.c src/render/gl_context_egl.c src/render/gl_context_osmesa.c
 WEB_SRC := $(filter-out $(WEB_WITHOUT),$(CORE_SRC) $(IO_SRC) $(CONTACTS_SRC) $(RENDER_SRC)) \
-    cli/frame.c cli/frame_field.c cli/frame_paths.c cli/text.c cli/json.c $(addprefix cli/play/,drawn.c game.c grip.c hand.c keys.c lists.c live.c live_bodies.c \
+    cli/frame.c cli/frame_field.c cli/frame_paths.c cli/text.c cli/json.c $(addprefix cli/play/,camera.c drawn.c game.c grip.c hand.c keys.c lists.c live.c live_bodies.c \
         nozzle.c past.c quantities.c show.c sketch.c turn.c) \
     $(sort $(wildcard cli/web/*.c))
 WEB_GEN := $(BUILD)/gen/shaders.c $(BUILD)/gen/play_scenes.c

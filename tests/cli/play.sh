@@ -218,6 +218,47 @@ for saved in played_005 played_006 played_007 played_008; do
     expect 0 "$SPH2D" resume $saved -q --no-frames -s run.until=0
 done
 
+# The wheel with Ctrl zooms about the mouse, the middle button moves the view, Home shows all: boxes as large on the screen
+# are smaller in the scene, or elsewhere. A click takes one away.
+box() { # N: the corners of box N of the last scene: xmin ymin xmax ymax
+    sed -n '/^bodies:/,$s/^ *\(min\|max\): \[\(.*\), \(.*\)\]$/\2 \3/p' "$last"/scene.yaml | paste -d ' ' - - | sed -n "$1p"
+}
+play pool.yaml
+xdotool key space
+draw d 250 20 260 25 # picks the circle; too small for a body
+draw d 200 40 220 50 260 90
+xdotool mousemove --window "$window" 80 60 keydown ctrl click 4 click 4 click 4 click 4 click 4 keyup ctrl
+draw p 80 60
+xdotool key d
+draw d 60 40 80 50 120 90
+xdotool mousemove --window "$window" 260 60 mousedown 2
+sleep 0.3
+xdotool mousemove --window "$window" 160 60
+sleep 0.3
+xdotool mouseup 2
+sleep 0.3
+xdotool key d d
+draw d 60 40 80 50 120 90
+xdotool key Home
+sleep 0.3
+xdotool key d d
+draw d 30 20 50 30 62 52
+last=played_010
+save $last
+awk -v wide="$(box 1)" -v zoomed="$(box 2)" -v moved="$(box 3)" -v home="$(box 4)" 'function differs(a, b) { return (a - b)^2 > 0.004^2 }
+    BEGIN {
+        split(wide, a); split(zoomed, b); split(moved, c); split(home, d); factor = 1.1^5
+        pixel = (a[3] - a[1]) / 60
+        exit differs((a[3] - a[1]) / factor, b[3] - b[1]) || differs(c[3] - c[1], b[3] - b[1]) || differs(c[1] - b[1], 100 * pixel / factor) ||
+            differs(d[3] - d[1], 32 * pixel) || differs(a[1] - d[1], 170 * pixel)
+    }' || fail "views: $(box 1), $(box 2), $(box 3), $(box 4)"
+xdotool mousemove --window "$window" 45 40 click 1
+sleep 0.3
+last=played_011
+save $last
+[ "$(count density $last)" = 3 ] || fail 'a click does not take a body away'
+quit
+
 # Liquid that leaves a tank is told, and comes back: by undo, or from the start.
 play pool.yaml
 xdotool key Up
@@ -246,13 +287,13 @@ grep -q "; $first particles$" err || fail "not $first particles after a new star
 # Ten acts at most.
 play pool.yaml
 xdotool key v v v v v v v v v v v v s
-until_there played_010/snapshot_000000.h5
+until_there played_012/snapshot_000000.h5
 xdotool key u u u u u u u u u u u u u u s
-until_there played_011/snapshot_000000.h5
+until_there played_013/snapshot_000000.h5
 quit
 viscosity() { sed -n 's/.*dynamic_viscosity: *\([0-9.e-]*\).*/\1/p' "$1"/scene.yaml; }
-awk "BEGIN { exit !($(viscosity played_010) / $(viscosity played_011) == 1024) }" ||
-    fail "$(viscosity played_010) Pa s, $(viscosity played_011) after ten acts were undone"
+awk "BEGIN { exit !($(viscosity played_012) / $(viscosity played_013) == 1024) }" ||
+    fail "$(viscosity played_012) Pa s, $(viscosity played_013) after ten acts were undone"
 
 # The example draws into a window of its own.
 example=$SPH2D_ROOT/build/examples/window

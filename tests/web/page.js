@@ -48,7 +48,7 @@ async function sceneAt(browser, x, y, width, height) {
 }
 
 async function drag(browser, places, button = 'left') {
-    const buttons = button === 'left' ? 1 : 2;
+    const buttons = {left: 1, right: 2, middle: 4}[button];
     await browser.mouse('mousePressed', ...places[0], {button, buttons});
     for (const place of places) {
         await browser.mouse('mouseMoved', ...place, {button, buttons});
@@ -67,7 +67,7 @@ async function steps(browser, count) {
     await browser.value(`(() => {
         for (let k = 0; k < ${count}; ++k) {
             key('.');
-            sph2d._page_turn(0, 0, 0, 0, 0, 0, 0);
+            sph2d._page_turn(0, 0, 0, 0, 0, 0, 0, 0);
         }
     })()`);
 }
@@ -156,18 +156,18 @@ const tests = {
         const speed = (state) => Math.hypot(...state.subarray(state.length / 2)) / Math.sqrt(state.length / 4);
         assert(speed(pulled) > speed(before) + 0.01, `pulled: ${speed(before)} to ${speed(pulled)} m/s`);
         await browser.press('o');
-        await browser.until('numbers().tool === 1');
+        await browser.until('numbers().tool === 2');
         const first = await numbers(browser);
         await drag(browser, [await at(browser, 0.5, 0.2), await at(browser, 0.52, 0.22)]);
         const poured = await numbers(browser);
         assert(poured.particles > first.particles + 5, 'liquid is poured');
         await browser.press('e');
-        await browser.until('numbers().tool === 2');
+        await browser.until('numbers().tool === 3');
         await drag(browser, [await at(browser, 0.5, 0.2), await at(browser, 0.52, 0.22)]);
         const wiped = await numbers(browser);
         assert(wiped.particles < poured.particles, 'liquid is wiped away');
         await browser.press('w');
-        await browser.until('numbers().tool === 3');
+        await browser.until('numbers().tool === 4');
         await drag(browser, await Promise.all([0.1, 0.15, 0.2, 0.3].map((x) => at(browser, x, 0.85))));
         await sleep(500);
         assert.match(await browser.value('ask("page_text")'), /polyline/, 'the scene has a wall more');
@@ -177,9 +177,9 @@ const tests = {
     'what is poured leaves as a jet, and falls': async (browser) => {
         await open(browser, text('1_dam_break.yaml'));
         await browser.press('o');
-        await browser.until('numbers().tool === 1');
+        await browser.until('numbers().tool === 2');
         await browser.value(`(() => { // ten turns, the pointer held in a corner of the air; then it is let go and all rests
-            const turn = (buttons) => sph2d._page_turn(0.016, canvas.width, canvas.height, 0.75 * canvas.width, 0.25 * canvas.height, buttons, 0);
+            const turn = (buttons) => sph2d._page_turn(0.016, canvas.width, canvas.height, 0.75 * canvas.width, 0.25 * canvas.height, buttons, 0, 0);
             for (let k = 0; k < 10; ++k) turn(1);
             key(' ');
             turn(0);
@@ -203,7 +203,7 @@ const tests = {
         await open(browser, text('1_dam_break.yaml'));
         await browser.until('numbers().time > 0.8', 90); // the column has fallen
         await browser.press('w');
-        await browser.until('numbers().tool === 3');
+        await browser.until('numbers().tool === 4');
         await drag(browser, await Promise.all([[0.1, 0.2], [0.25, 0.35], [0.1, 0.5], [0.25, 0.2]].map(([x, y]) => at(browser, x, y))));
         await browser.until('ask("page_text").includes("polyline")');
         const drawn = await walls();
@@ -259,18 +259,18 @@ const tests = {
         await open(browser, text('1_dam_break.yaml'));
         await browser.until('numbers().steps > 2');
         await pause(browser, true);
-        await draw(4, [1.0, 0.6], [1.05, 0.6], [1.1, 0.6]);
-        await draw(5, [1.2, 0.4], [1.25, 0.5], [1.4, 0.6]);
-        await draw(6, [0.6, 0.2], [0.7, 0.15], [0.8, 0.2], [0.8, 0.3], [0.7, 0.35], [0.6, 0.3], [0.6, 0.22]);
+        await draw(5, [1.0, 0.6], [1.05, 0.6], [1.1, 0.6]);
+        await draw(6, [1.2, 0.4], [1.25, 0.5], [1.4, 0.6]);
+        await draw(7, [0.6, 0.2], [0.7, 0.15], [0.8, 0.2], [0.8, 0.3], [0.7, 0.35], [0.6, 0.3], [0.6, 0.22]);
         assert.strictEqual(await count('density: 500'), 3);
-        await draw(4, [1.0, 0.6], [1.2, 0.6]);
+        await draw(5, [1.0, 0.6], [1.2, 0.6]);
         assert.match(await browser.value('told'), /no body: starts in bodies/);
-        await draw(6, [0.2, 0.75], [0.5, 0.85], [0.5, 0.75], [0.2, 0.88]);
+        await draw(7, [0.2, 0.75], [0.5, 0.85], [0.5, 0.75], [0.2, 0.88]);
         assert.match(await browser.value('told'), /no body: a polygon must not cross/);
-        await draw(4, [0.2, 0.2], [0.25, 0.2], [0.3, 0.2]);
+        await draw(5, [0.2, 0.2], [0.25, 0.2], [0.3, 0.2]);
         assert.match(await browser.value('told'), /took the place of \d{3} particles/);
-        await draw(7, [1.3, 0.5]);
-        await draw(7, [1.0, 0.6], [1.0, 0.7], [1.0, 0.8]);
+        await draw(8, [1.3, 0.5]);
+        await draw(8, [1.0, 0.6], [1.0, 0.7], [1.0, 0.8]);
         assert.strictEqual(await count('stiffness'), 2);
         await draw(0, [0.7, 0.25], [0.7, 0.4], [0.7, 0.6]); // moved while time stands still
         const moved = await body(2);
@@ -282,15 +282,55 @@ const tests = {
         assert(Math.hypot(after[1][0] - held[0], after[1][1] - held[1]) < 0.02, `the box is held: ${held} to ${after[1]}`);
         assert(after[0][1] > hung[1] - 0.15, `the circle hangs: ${hung} to ${after[0]}`);
         assert(after[2][1] < moved[1] - 0.15, `what is not held falls: ${moved} to ${after[2]}`);
-        await draw(7, [1.3, 0.5]);
+        await draw(8, [1.3, 0.5]);
         assert.strictEqual(await count('stiffness'), 1);
         await browser.press('p');
+    },
+
+    'the view is moved and scaled': async (browser) => {
+        const box = async () => { // draws one on the screen, where it is in the scene
+            await browser.value('tools[6].click()');
+            await drag(browser, await Promise.all([[0.3, 0.2], [0.4, 0.25], [0.45, 0.35]].map(([x, y]) => at(browser, x, y))));
+            await browser.until('ask("page_text").includes("bodies")');
+            const [, least, most] = /bodies:\s+- box:\s+min: (.*)\s+max: (.*)/.exec(await browser.value('ask("page_text")'));
+            await browser.press('u');
+            await browser.until('!ask("page_text").includes("bodies")');
+            return [JSON.parse(least), JSON.parse(most)];
+        };
+        const wide = ([least, most]) => most[0] - least[0], near = (a, b) => Math.abs(a / b - 1) < 0.02;
+        await open(browser, text('1_dam_break.yaml'));
+        await pause(browser, true);
+        await browser.press('r');
+        const first = await box(), place = await at(browser, 0.3, 0.2);
+        for (let k = 0; k < 5; ++k)
+            await browser.send('Input.dispatchMouseEvent', {type: 'mouseWheel', x: place[0], y: place[1], deltaX: 0, deltaY: -20, modifiers: 2});
+        await sleep(300);
+        const zoomed = await box();
+        assert(near(wide(zoomed), wide(first) / 1.1 ** 5), `${first} and ${zoomed}`);
+        assert(near(zoomed[0][0], first[0][0]), 'the place at the mouse stays');
+        const pan = await Promise.all([[0.5, 0.5], [0.5, 0.5], [0.6, 0.5], [0.6, 0.5]].map(([x, y]) => at(browser, x, y)));
+        await drag(browser, pan, 'middle');
+        const moved = await box();
+        assert(near(zoomed[0][0] - moved[0][0], wide(zoomed) * 0.1 / 0.15), `${zoomed} and ${moved}`);
+        await browser.press('Home');
+        await sleep(300);
+        assert(near(wide(await box()), wide(first)), 'Home shows all');
+        const [x, y] = await at(browser, 0.4, 0.5), fingers = (apart) => [[x - apart, y], [x + apart, y]];
+        await browser.touch('touchStart', fingers(50));
+        await browser.touch('touchMove', fingers(75));
+        await browser.touch('touchMove', fingers(100));
+        await sleep(300);
+        await browser.touch('touchEnd', []);
+        assert(near(wide(await box()), wide(first) / 2), 'two fingers zoom');
+        await browser.press('Home');
+        await browser.press('p');
+        await pause(browser, false);
     },
 
     'touch: a finger pours': async (browser) => {
         await open(browser, text('1_dam_break.yaml'));
         await browser.press('o');
-        await browser.until('numbers().tool === 1');
+        await browser.until('numbers().tool === 2');
         const before = await numbers(browser), place = await at(browser, 0.75, 0.3);
         await browser.touch('touchStart', [place]);
         await sleep(400);
@@ -416,9 +456,9 @@ const tests = {
                 return (performance.now() - begun) / count;
             };
             const pixel = new Uint8Array(4), gl = canvas.getContext('webgl2');
-            return [one(40, () => { key('.'); sph2d._page_turn(0, 0, 0, 0, 0, 0, 0); }),
+            return [one(40, () => { key('.'); sph2d._page_turn(0, 0, 0, 0, 0, 0, 0, 0); }),
                 one(10, () => {
-                    sph2d._page_turn(0, canvas.width, canvas.height, 0, 0, 0, 0);
+                    sph2d._page_turn(0, canvas.width, canvas.height, 0, 0, 0, 0, 0);
                     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
                 })];
         })()`);
