@@ -45,7 +45,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
         "  sph2d resume out\n"
         "  sph2d resume out --set run.until=5\n",
     [CLI__PLAY] = "Opens a window in which the scene, or the first of its own, follows the clock; below the picture\n"
-                  "stands how far it does. Nothing is written but by S and F, into new folders of the current one.\n"
+                  "stands how far it does. Nothing is written but by S and F, under new names in the current folder.\n"
                   "\n"
                   "  mouse     left: the tool, or to hold a body; right: push, or by tools W D J take away what\n"
                   "            was drawn, as a click does; wheel: reach, with Ctrl: zoom; middle: move the\n"
@@ -63,7 +63,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "  1 to 9    scenes of its own\n"
                   "  U Ctrl-Z  undo: back to before the last act, of ten (128 MiB of liquid at most)\n"
                   "  R A       from the start with the scene's gravity; with as many particles as follow the clock\n"
-                  "  S F       save; film\n"
+                  "  S F       save; begin and end a film, by ffmpeg where it is installed, else its frames\n"
                   "  H Q       this help; quit\n"
                   "\n"
                   "  sph2d play\n"

@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 
+#include "../film.h"
 #include "../frame.h"
 #include "../options.h"
 #include "hand.h"
@@ -27,14 +28,17 @@ typedef struct game {
     bool pans;              /**< ... and whether it moved the view */
     double rate;            /**< simulated seconds for one of the clock */
     bool paused, help, quits;
-    int fits_in;         /**< pictures until game_fit(); 0: never */
-    bool leaks;          /**< that liquid left was told */
-    bool told_elsewhere; /**< messages are not for the picture */
-    char message[400];   /**< the last thing to tell ... */
-    double told;         /**< ... and when, on the clock [s] */
-    char recording[32];  /**< the folder of a film; empty for none */
-    unsigned recorded;   /**< its frames */
-    double next_frame;   /**< simulated time of the next one [s] */
+    int fits_in;                      /**< pictures until game_fit(); 0: never */
+    bool leaks;                       /**< that liquid left was told */
+    bool told_elsewhere;              /**< messages are not for the picture */
+    char message[400];                /**< the last thing to tell ... */
+    double told;                      /**< ... and when, on the clock [s] */
+    bool films;                       /**< the next picture begins a film */
+    char recording[32];               /**< the name of a film, or of the folder of its frames; empty for none */
+    film film;                        /**< open where ffmpeg makes it */
+    unsigned film_width, film_height; /**< [pixels] */
+    unsigned recorded;                /**< frames */
+    double next_frame;                /**< simulated time of the next one [s] */
 } game;
 
 /** Without a scene yet. */
@@ -69,8 +73,9 @@ enum { GAME_FILM_RATE = 30 };
 /** Keeps the scene with its liquid, and begins or ends a film: files here, downloads on a page. */
 void game_save(game *g);
 void game_film(game *g);
-/** Adds the prepared picture to the film when its time has come. */
-void game_film_frame(game *g, sph2d_renderer *renderer);
+void game_film_end(game *g);
+/** Adds the prepared picture to the film when its time has come; a film ends where the window gets another size. */
+void game_film_frame(game *g, sph2d_renderer *renderer, unsigned width, unsigned height);
 
 /** What can be set while it runs: the size of gravity [m/s^2], viscosity [Pa s], surface tension [N/m], the largest
  *  compression (a part of the density), the rate, simulated seconds for one of the clock, and the density of bodies that
@@ -112,9 +117,9 @@ void game_tell_steps(game *g, sph2d_status status, sph2d_report *report);
 /** Prepares a picture of the game as it is, with the number of pictures a second. */
 void game_prepare(game *g, double pictures);
 
-/** Draws it into the window's framebuffer, also while a thread steps the simulation; a film that is recorded gets its
- *  frame. */
-void game_draw(game *g, sph2d_renderer *renderer);
+/** Draws it into the window's framebuffer, of this size [pixels], also while a thread steps the simulation; a film
+ *  that is recorded gets its frame. */
+void game_draw(game *g, sph2d_renderer *renderer, unsigned width, unsigned height);
 
 /* ---- the scenes of the keys 1 to 9, generated from cli/play/scenes ----------------------------------------------- */
 

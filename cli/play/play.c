@@ -98,6 +98,7 @@ static int play(game *g)
         p.begun = p.last = clock_wall();
         while (turn(&p, g, &report, &status))
             continue;
+        game_film_end(g);
         turn_end(&p.turning, g);
         tell_end(&p, g);
     }

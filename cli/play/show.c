@@ -181,11 +181,11 @@ void game_prepare(game *g, double pictures)
     game_tell_report(g, status, &report);
 }
 
-void game_draw(game *g, sph2d_renderer *renderer)
+void game_draw(game *g, sph2d_renderer *renderer, unsigned width, unsigned height)
 {
     if (!g->prepared)
         return;
     sph2d_report report = {0};
-    game_film_frame(g, renderer);
+    game_film_frame(g, renderer, width, height);
     game_tell_report(g, sph2d_renderer_draw_to(renderer, 0, 0, 0, &g->picture, &report), &report);
 }

@@ -107,7 +107,7 @@ sph2d_status turn_take(turning *t, game *g, const play_input *input, sph2d_gl_lo
         return status;
     if (!beside)
         game_prepare(g, t->pictures);
-    game_draw(g, t->renderer);
+    game_draw(g, t->renderer, t->width, t->height);
     return SPH2D_OK;
 }
 

@@ -45,10 +45,12 @@ void game_film(game *g)
     (void)g;
 }
 
-void game_film_frame(game *g, sph2d_renderer *renderer)
+void game_film_frame(game *g, sph2d_renderer *renderer, unsigned width, unsigned height)
 {
     (void)g;
     (void)renderer;
+    (void)width;
+    (void)height;
 }
 
 /* A page has no threads: nobody starts a worker. */

@@ -26,6 +26,9 @@ export DISPLAY
 play() {
     "$SPH2D" play --size 320x240 -j1 --max-wall 60s "$@" >out 2>err &
     pid=$!
+    find_window
+}
+find_window() {
     window=$(xdotool search --sync --onlyvisible --name '^sph2d$' | tail -n 1)
     xdotool windowfocus "$window" mousemove --window "$window" 160 60
 }
@@ -62,9 +65,7 @@ done
 sleep 0.3
 xdotool mouseup 1
 sleep 0.3
-xdotool key v v v n n n x i z c c c f
-until_there film_000/frame_000001.png
-xdotool key f s
+xdotool key v v v n n n x i z c c c s
 until_there played_000/snapshot_000000.h5
 quit
 poured=$(sed -n 's/.*; \([0-9]*\) particles$/\1/p' err)
@@ -74,6 +75,31 @@ grep -q 'dynamic_viscosity' played_000/scene.yaml || fail 'the viscosity is as b
 expect 0 "$SPH2D" check played_000/scene.yaml -q
 expect 0 "$SPH2D" info played_000/snapshot_000000.h5
 expect 0 "$SPH2D" resume played_000 -q --no-frames
+
+# A film is made by ffmpeg, also of a window that is closed; without it there are frames.
+frames_of() { ffmpeg -hide_banner -nostdin -i "$1" -map 0:v -f framemd5 - 2>/dev/null | grep -vc '^#'; }
+if command -v ffmpeg >/dev/null; then
+    play pool.yaml
+    xdotool key f
+    sleep 2
+    [ ! -e film_000.mp4 ] || fail 'the film is there before it is whole'
+    xdotool key f
+    until_there film_000.mp4
+    xdotool key f
+    sleep 2
+    quit
+    for film in film_000.mp4 film_001.mp4; do
+        [ "$(frames_of $film)" -gt 3 ] || fail "$(frames_of $film) frames in $film"
+    done
+    [ -z "$(find . -name '.film*')" ] || fail 'unfinished films are left'
+fi
+PATH=/nowhere "$SPH2D" play --size 320x240 -j1 --max-wall 60s pool.yaml >out 2>err &
+pid=$!
+find_window
+xdotool key f
+until_there film_000/frame_000001.png
+xdotool key f
+quit
 
 # Another spacing starts again, so that the machine follows.
 play pool.yaml
