@@ -60,7 +60,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "  T Y       surface tension          K L       stiffness\n"
                   "  M N C     metaballs, points; look of metaballs; colour\n"
                   "  X Z I     arrows of the velocity; streamlines; isolines of pressure\n"
-                  "  1 to 9    scenes of its own\n"
+                  "  1 to 9    scenes of its own; Tab or PageDown: the next one; PageUp: the one before\n"
                   "  U Ctrl-Z  undo: back to before the last act, of ten (128 MiB of liquid at most)\n"
                   "  R A       from the start with the scene's gravity; with as many particles as follow the clock\n"
                   "  S F       save; begin and end a film, by ffmpeg where it is installed, else its frames\n"

@@ -29,7 +29,7 @@ void game_tell_report(game *g, sph2d_status status, sph2d_report *report)
 
 game game_new(const cli_options *options, const sph2d_sim_options *sim_options)
 {
-    return (game){.options = options, .sim_options = *sim_options, .rate = 1, .help = true};
+    return (game){.options = options, .sim_options = *sim_options, .rate = 1, .help = true, .number = SIZE_MAX};
 }
 
 /* ---- scenes ------------------------------------------------------------------------------------------------------ */
@@ -94,6 +94,7 @@ sph2d_status game_open_number(game *g, size_t number, sph2d_report *report)
     enum { LOOKED_AT = 10 }; /* pictures */
     const play_scene *from = &play_scenes[number];
     const sph2d_status status = game_open_text(g, from->text, strlen(from->text), from->name, report);
+    g->number = number;
     g->fits_in = status == SPH2D_OK && !has_spacing(g->options) ? LOOKED_AT : 0;
     return status;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file game.h
- *  What is played: a live simulation, the hand, and how both are shown; and the scenes of the keys 1 to 9. */
+ *  What is played: a live simulation, the hand, and how both are shown; and the scenes of its own. */
 #ifndef SPH2D_CLI_PLAY_GAME_H
 #define SPH2D_CLI_PLAY_GAME_H
 
@@ -28,6 +28,7 @@ typedef struct game {
     bool pans;              /**< ... and whether it moved the view */
     double rate;            /**< simulated seconds for one of the clock */
     bool paused, help, quits;
+    size_t number;                    /**< of the last of play_scenes that was opened; SIZE_MAX for none */
     int fits_in;                      /**< pictures until game_fit(); 0: never */
     bool leaks;                       /**< that liquid left was told */
     bool told_elsewhere;              /**< messages are not for the picture */
@@ -121,7 +122,7 @@ void game_prepare(game *g, double pictures);
  *  that is recorded gets its frame. */
 void game_draw(game *g, sph2d_renderer *renderer, unsigned width, unsigned height);
 
-/* ---- the scenes of the keys 1 to 9, generated from cli/play/scenes ----------------------------------------------- */
+/* ---- the scenes of its own, generated from cli/play/scenes: the keys 1 to 9, and more ---------------------------- */
 
 typedef struct play_scene {
     const char *name, *text; /* "dam_break", and its YAML */

@@ -22,7 +22,8 @@ const char game_help[] = "mouse: left uses the tool or holds a body, right pushe
                          "P pull  G push  O pour  E wipe  W wall  D body: circle, box, outline\n"
                          "J hinge (click), spring (drag)  [ ] density of bodies\n"
                          "a click or right with W, D, J takes away\n"
-                         "U or Ctrl-Z undo (ten acts)   1 to 9 scenes  R again\n"
+                         "U or Ctrl-Z undo (ten acts)  R again\n"
+                         "1 to 9, Tab, PageUp, PageDown: scenes\n"
                          "space pause  . one step  + - faster, slower\n"
                          "arrows gravity  0 no gravity\n"
                          "V B viscosity  T Y tension  K L stiffness\n"
@@ -130,8 +131,12 @@ static void fit(game *g)
 static void open_number(game *g, size_t number)
 {
     sph2d_report report = {0};
-    if (number < play_scene_count)
-        game_tell_report(g, game_open_number(g, number, &report), &report);
+    if (number >= play_scene_count)
+        return;
+    const sph2d_status status = game_open_number(g, number, &report);
+    game_tell_report(g, status, &report);
+    if (status == SPH2D_OK)
+        game_tell(g, "scene %zu of %zu: %s", number + 1, play_scene_count, g->live.scene.name);
 }
 
 static void one_step(game *g)
@@ -292,6 +297,12 @@ static void run_key(game *g, int key)
         break;
     case 'F':
         game_film(g);
+        break;
+    case PLAY_KEY_PAGE_DOWN: /* SIZE_MAX + 1 is 0 */
+        open_number(g, (g->number + 1) % play_scene_count);
+        break;
+    case PLAY_KEY_PAGE_UP:
+        open_number(g, (g->number < play_scene_count && g->number > 0 ? g->number : play_scene_count) - 1);
         break;
     case 'Q':
     case PLAY_KEY_ESCAPE:

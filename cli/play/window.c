@@ -29,6 +29,11 @@ static int key_of(int key)
         return PLAY_KEY_ESCAPE;
     case GLFW_KEY_HOME:
         return PLAY_KEY_HOME;
+    case GLFW_KEY_PAGE_UP:
+        return PLAY_KEY_PAGE_UP;
+    case GLFW_KEY_PAGE_DOWN:
+    case GLFW_KEY_TAB:
+        return PLAY_KEY_PAGE_DOWN;
     case GLFW_KEY_KP_ADD:
         return '+';
     case GLFW_KEY_KP_SUBTRACT:

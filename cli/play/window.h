@@ -11,7 +11,16 @@
 typedef struct play_window play_window;
 
 /** Keys that are no letters, digits or signs; the others are themselves, letters in upper case. */
-enum { PLAY_KEY_LEFT = 256, PLAY_KEY_RIGHT, PLAY_KEY_DOWN, PLAY_KEY_UP, PLAY_KEY_ESCAPE, PLAY_KEY_HOME };
+enum {
+    PLAY_KEY_LEFT = 256,
+    PLAY_KEY_RIGHT,
+    PLAY_KEY_DOWN,
+    PLAY_KEY_UP,
+    PLAY_KEY_ESCAPE,
+    PLAY_KEY_HOME,
+    PLAY_KEY_PAGE_UP,
+    PLAY_KEY_PAGE_DOWN
+};
 enum { PLAY_MOST_KEYS = 16 };
 
 /** What happened since the last call, and what is held down now. */

@@ -37,7 +37,7 @@ function listScenes() {
     const list = element('scenes');
     for (let k = 0; k < sph2d._page_scene_count(); ++k) {
         const name = sph2d.UTF8ToString(sph2d._page_scene_name(k)).replace(/_/g, ' ');
-        list.add(new Option(`${k + 1} ${name}`, k));
+        list.add(new Option(k < 9 ? `${k + 1} ${name}` : name, k));
     }
     list.onchange = () => {
         openNumber(list.selectedIndex);
@@ -145,6 +145,8 @@ function startButtons() {
     element('picture').onclick = savePicture;
     element('film').onclick = toggleFilm;
     const special = {H: more, F: toggleFilm, S: saveScene};
+    const all = sph2d._page_scene_count(), by = (step) => () => openNumber((element('scenes').selectedIndex + step + all) % all);
+    Object.assign(special, {PageDown: by(1), PageUp: by(-1)});
     for (let k = 0; k < 9; ++k) special[String(k + 1)] = () => openNumber(k);
     startKeys(special);
 }

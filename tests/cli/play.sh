@@ -42,6 +42,10 @@ quit() {
 }
 # Waits until a file is there.
 until_there() { await test -e "$1"; }
+save() { # FOLDER
+    xdotool key s
+    until_there "$1"/snapshot_000000.h5
+}
 
 cat >pool.yaml <<END
 name: pool
@@ -123,6 +127,22 @@ quit
 kept=$(particles)
 if [ "$kept" -le 800 ] || [ "$kept" -ge 900 ]; then fail "$kept particles with a spacing of 0.02 m"; fi
 
+# All scenes of its own are without errors and warnings, and are reached by keys.
+for file in "$SPH2D_ROOT"/cli/play/scenes/*.yaml; do
+    expect 0 "$SPH2D" check "$file" -q
+    ! grep warning err || fail "${file##*/} is warned of"
+done
+play pool.yaml
+xdotool key Prior
+sleep 0.5
+save played_001
+xdotool key Next Tab
+sleep 0.5
+save played_002
+quit
+grep -q '^name: "boat race"$' played_001/scene.yaml || fail 'the last scene is another one'
+grep -q '^name: "two dams"$' played_002/scene.yaml || fail 'the next scenes are others'
+
 # Wiping takes liquid away, also with dots, while the run is paused; another scene has other particles.
 play pool.yaml --style points --color speed
 xdotool key space key e mousemove --window "$window" 60 180 mousedown 1
@@ -180,31 +200,27 @@ xdotool key 0
 draw w 60 180 120 180
 draw w 150 60 230 60 # where the body was
 xdotool key s
-[ "$(walls played_001)" -ge 6 ] || fail 'no wall was drawn where a block was'
-expect 0 "$SPH2D" resume played_001 -q --no-frames -s run.until=0
+[ "$(walls played_003)" -ge 6 ] || fail 'no wall was drawn where a block was'
+expect 0 "$SPH2D" resume played_003 -q --no-frames -s run.until=0
 xdotool mousemove --window "$window" 90 180 click 3
 sleep 0.3
 xdotool key s
-drawn=$(walls played_001)
-[ "$(walls played_002)" = $((drawn - 1)) ] || fail 'the wall was not taken away'
+drawn=$(walls played_003)
+[ "$(walls played_004)" = $((drawn - 1)) ] || fail 'the wall was not taken away'
 # Each is undone: the wall that was taken away, the walls, and gravity between them; then there is nothing.
 xdotool key u
 sleep 0.2
 xdotool key s
-[ "$(walls played_003)" = "$drawn" ] || fail 'the wall that was taken away did not come back'
+[ "$(walls played_005)" = "$drawn" ] || fail 'the wall that was taken away did not come back'
 xdotool key u u u ctrl+z u
 sleep 0.2
 xdotool key s
-[ "$(walls played_004)" = 0 ] || fail 'walls after they were undone'
-! grep -q 'gravity: \[0, 0\]' played_004/scene.yaml || fail 'no gravity after that was undone'
+[ "$(walls played_006)" = 0 ] || fail 'walls after they were undone'
+! grep -q 'gravity: \[0, 0\]' played_006/scene.yaml || fail 'no gravity after that was undone'
 quit
 
 # Bodies are drawn, held and let go while the run is paused, and one is moved; what is saved then runs.
 count() { grep -c "$1" "$2"/scene.yaml || :; }
-save() { # FOLDER
-    xdotool key s
-    until_there "$1"/snapshot_000000.h5
-}
 play pool.yaml
 xdotool key space
 draw d 90 60 110 60 125 60       # a circle from its centre
@@ -212,33 +228,33 @@ draw d 180 50 200 70 230 90      # a box from corner to corner
 draw d 250 40 300 40 300 90 250 90 250 45 # an outline
 draw j 205 70                    # a hinge in the middle of the box
 draw j 90 60 70 40 60 20         # a spring from the circle
-save played_005
-[ "$(count density played_005)" = 3 ] || fail 'not three bodies'
-[ "$(count stiffness played_005)" = 2 ] || fail 'not two springs'
-[ "$(count 'length: 0$' played_005)" = 1 ] || fail 'not one hinge'
-grep -q 'density: 500$' played_005/scene.yaml || fail 'bodies are not half as dense as the liquid'
+save played_007
+[ "$(count density played_007)" = 3 ] || fail 'not three bodies'
+[ "$(count stiffness played_007)" = 2 ] || fail 'not two springs'
+[ "$(count 'length: 0$' played_007)" = 1 ] || fail 'not one hinge'
+grep -q 'density: 500$' played_007/scene.yaml || fail 'bodies are not half as dense as the liquid'
 xdotool key bracketright
 draw p 275 60 275 45 275 35 # up
 draw d 90 170 110 170 120 170 # in the liquid
-save played_006
-! cmp -s played_005/scene.yaml played_006/scene.yaml || fail 'the body was not moved'
-grep -q 'density: 625$' played_006/scene.yaml || fail 'the body is not denser'
-[ "$(count density played_006)" = 4 ] || fail 'no body in the liquid'
+save played_008
+! cmp -s played_007/scene.yaml played_008/scene.yaml || fail 'the body was not moved'
+grep -q 'density: 625$' played_008/scene.yaml || fail 'the body is not denser'
+[ "$(count density played_008)" = 4 ] || fail 'no body in the liquid'
 xdotool click 3 # there
 sleep 0.3
-save played_007
-[ "$(count density played_007)" = 3 ] || fail 'the body was not taken away'
+save played_009
+[ "$(count density played_009)" = 3 ] || fail 'the body was not taken away'
 xdotool key space
 sleep 2
 draw j 205 70
-save played_008
-[ "$(count stiffness played_008)" = 1 ] || fail 'the box was not let go'
+save played_010
+[ "$(count stiffness played_010)" = 1 ] || fail 'the box was not let go'
 xdotool key u
 sleep 0.3
-save played_009
-[ "$(count stiffness played_009)" = 2 ] || fail 'the hinge did not come back'
+save played_011
+[ "$(count stiffness played_011)" = 2 ] || fail 'the hinge did not come back'
 quit
-for saved in played_005 played_006 played_007 played_008; do
+for saved in played_007 played_008 played_009 played_010; do
     expect 0 "$SPH2D" check $saved/scene.yaml -q
     expect 0 "$SPH2D" run $saved/scene.yaml -o run_$saved -q --no-frames -s run.until=0.2
     expect 0 "$SPH2D" resume $saved -q --no-frames -s run.until=0
@@ -269,7 +285,7 @@ xdotool key Home
 sleep 0.3
 xdotool key d d
 draw d 30 20 50 30 62 52
-last=played_010
+last=played_012
 save $last
 awk -v wide="$(box 1)" -v zoomed="$(box 2)" -v moved="$(box 3)" -v home="$(box 4)" 'function differs(a, b) { return (a - b)^2 > 0.004^2 }
     BEGIN {
@@ -280,7 +296,7 @@ awk -v wide="$(box 1)" -v zoomed="$(box 2)" -v moved="$(box 3)" -v home="$(box 4
     }' || fail "views: $(box 1), $(box 2), $(box 3), $(box 4)"
 xdotool mousemove --window "$window" 45 40 click 1
 sleep 0.3
-last=played_011
+last=played_013
 save $last
 [ "$(count density $last)" = 3 ] || fail 'a click does not take a body away'
 quit
@@ -313,13 +329,13 @@ grep -q "; $first particles$" err || fail "not $first particles after a new star
 # Ten acts at most.
 play pool.yaml
 xdotool key v v v v v v v v v v v v s
-until_there played_012/snapshot_000000.h5
+until_there played_014/snapshot_000000.h5
 xdotool key u u u u u u u u u u u u u u s
-until_there played_013/snapshot_000000.h5
+until_there played_015/snapshot_000000.h5
 quit
 viscosity() { sed -n 's/.*dynamic_viscosity: *\([0-9.e-]*\).*/\1/p' "$1"/scene.yaml; }
-awk "BEGIN { exit !($(viscosity played_012) / $(viscosity played_013) == 1024) }" ||
-    fail "$(viscosity played_012) Pa s, $(viscosity played_013) after ten acts were undone"
+awk "BEGIN { exit !($(viscosity played_014) / $(viscosity played_015) == 1024) }" ||
+    fail "$(viscosity played_014) Pa s, $(viscosity played_015) after ten acts were undone"
 
 # The example draws into a window of its own.
 example=$SPH2D_ROOT/build/examples/window

@@ -354,8 +354,9 @@ const tests = {
         await browser.until('editor.text.value.includes("drop falls")');
         const all = await browser.value('sph2d._page_scene_count()');
         for (let k = 1; k <= all; ++k) {
-            await browser.press(String(k));
+            await browser.press(k < 10 ? String(k) : 'PageDown');
             await browser.until(`numbers().steps > 3 && !numbers().stopped && element('scenes').selectedIndex === ${k - 1}`, 60);
+            assert.strictEqual(await browser.value('element("verdict").textContent'), 'no errors');
             await browser.picture(path.join(folder, `scene_${k}.png`));
         }
     },
