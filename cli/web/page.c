@@ -167,6 +167,12 @@ EMSCRIPTEN_KEEPALIVE const char *page_text(void)
     return answer_with(text);
 }
 
+/** The name of the scene that is played; empty for none. */
+EMSCRIPTEN_KEEPALIVE const char *page_name(void)
+{
+    return the_game.live.scene.name ? the_game.live.scene.name : "";
+}
+
 /* ---- turns ------------------------------------------------------------------------------------------------------- */
 
 EMSCRIPTEN_KEEPALIVE void page_key(int key)

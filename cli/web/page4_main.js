@@ -18,27 +18,42 @@ function tell(text) {
 
 // ---- scenes -------------------------------------------------------------------------------------------------------
 
-function openText(text, name) {
+// Opens a text; `index` is that of a scene of the list, and of none what follows these: another scene, by its name.
+function openText(text, name, index = sph2d._page_scene_count()) {
     const result = JSON.parse(ask('page_open', text, name));
     if (editor.text.value !== text) editor.text.value = text;
     editor.show(result);
-    if (!result.ok) tell(`The scene has errors: ${result.messages[0].message}.`);
-    return result.ok;
+    if (!result.ok) {
+        tell(`The scene has errors: ${result.messages[0].message}.`);
+        return false;
+    }
+    showName(ask('page_name') || name, index);
+    return true;
+}
+
+function showName(name, index = sph2d._page_scene_count()) {
+    const list = element('scenes'), other = list.options[sph2d._page_scene_count()];
+    other.textContent = name;
+    other.hidden = index < other.index;
+    list.selectedIndex = index;
+    element('name').value = name;
+    document.title = `${name} - sph2d`;
 }
 
 function openNumber(index) {
     if (index >= sph2d._page_scene_count()) return;
-    element('scenes').selectedIndex = index;
     const name = sph2d.UTF8ToString(sph2d._page_scene_name(index));
-    openText(sph2d.UTF8ToString(sph2d._page_scene_text(index)), name);
+    openText(sph2d.UTF8ToString(sph2d._page_scene_text(index)), name, index);
 }
 
 function listScenes() {
-    const list = element('scenes');
-    for (let k = 0; k < sph2d._page_scene_count(); ++k) {
+    const list = element('scenes'), count = sph2d._page_scene_count();
+    for (let k = 0; k < count; ++k) {
         const name = sph2d.UTF8ToString(sph2d._page_scene_name(k)).replace(/_/g, ' ');
         list.add(new Option(k < 9 ? `${k + 1} ${name}` : name, k));
     }
+    list.add(new Option('', count));
+    list.options[count].hidden = true;
     list.onchange = () => {
         openNumber(list.selectedIndex);
         canvas.focus();
@@ -54,6 +69,39 @@ async function copyLink() {
         tell('The link is in the address of this page.');
     }
 }
+
+// Scenes that the browser keeps, by their names.
+const kept = {
+    prefix: 'sph2d scene ',
+
+    names() {
+        return Object.keys(localStorage).filter((key) => key.startsWith(this.prefix)).map((key) => key.slice(this.prefix.length)).sort();
+    },
+
+    list() {
+        const item = (name) => {
+            const button = (text, act) => Object.assign(document.createElement('button'), {textContent: text, onclick: act});
+            const row = document.createElement('li');
+            const open = () => openText(localStorage.getItem(this.prefix + name), name) && showName(name);
+            row.append(button(name, open), button('Delete', () => {
+                localStorage.removeItem(this.prefix + name);
+                this.list();
+            }));
+            return row;
+        };
+        element('saved').replaceChildren(...this.names().map(item));
+    },
+
+    save(event) {
+        event.preventDefault();
+        try {
+            localStorage.setItem(this.prefix + element('name').value, ask('page_text'));
+            this.list();
+        } catch (error) {
+            tell(`This browser does not keep it: ${error.message}`);
+        }
+    },
+};
 
 // ---- pictures and films -------------------------------------------------------------------------------------------
 
@@ -131,21 +179,27 @@ function startButtons() {
             canvas.focus();
         };
     });
+    const toggle = (button, section) => {
+        element(section).hidden = !element(section).hidden;
+        element(button).classList.toggle('on', !element(section).hidden);
+    };
     element('edit').onclick = () => {
-        editor.box.hidden = !editor.box.hidden;
-        element('edit').classList.toggle('on', !editor.box.hidden);
+        toggle('edit', 'editor');
         if (!editor.box.hidden) editor.check();
     };
-    const more = () => {
-        element('sliders').hidden = !element('sliders').hidden;
-        element('more').classList.toggle('on', !element('sliders').hidden);
-    };
+    const more = () => toggle('more', 'sliders');
     element('more').onclick = more;
+    element('save').onclick = () => {
+        toggle('save', 'kept');
+        kept.list();
+    };
+    element('keep').onsubmit = (event) => kept.save(event);
     element('link').onclick = copyLink;
     element('picture').onclick = savePicture;
     element('film').onclick = toggleFilm;
     const special = {H: more, F: toggleFilm, S: saveScene};
-    const all = sph2d._page_scene_count(), by = (step) => () => openNumber((element('scenes').selectedIndex + step + all) % all);
+    const all = sph2d._page_scene_count();
+    const by = (step) => () => openNumber((Math.min(element('scenes').selectedIndex, step > 0 ? all - 1 : all) + step + all) % all);
     Object.assign(special, {PageDown: by(1), PageUp: by(-1)});
     for (let k = 0; k < 9; ++k) special[String(k + 1)] = () => openNumber(k);
     startKeys(special);

@@ -163,7 +163,7 @@ const tests = {
         assert(poured.particles > first.particles + 5, 'liquid is poured');
         await browser.press('e');
         await browser.until('numbers().tool === 3');
-        await drag(browser, [await at(browser, 0.5, 0.2), await at(browser, 0.52, 0.22)]);
+        await drag(browser, [await at(browser, 0.38, 0.35), await at(browser, 0.4, 0.37)]); // a drop
         const wiped = await numbers(browser);
         assert(wiped.particles < poured.particles, 'liquid is wiped away');
         await browser.press('w');
@@ -385,10 +385,60 @@ const tests = {
         await browser.send('Page.reload');
         await sleep(500);
         await browser.until(`editor.text.value === ${JSON.stringify(scene)} && numbers().particles > 0`);
+        assert.strictEqual(await browser.value('document.title'), 'zwei Dämme - sph2d');
+        assert.strictEqual(await browser.value('element("scenes").selectedOptions[0].textContent'), 'zwei Dämme');
         await browser.value('location.hash = "#scene=%%%"');
         await browser.send('Page.reload');
         await sleep(500);
         await browser.until('editor.text.value.includes("column of water") && numbers().particles > 0');
+    },
+
+    'scenes are kept in the browser': async (browser) => {
+        const saved = () => browser.value('Array.from(element("saved").children, (row) => row.firstChild.textContent)');
+        await open(browser, text('3_drop.yaml'));
+        await browser.value('element("save").click()');
+        for (const name of ['my drop', '<b>&"']) {
+            await browser.value(`element('name').value = ${JSON.stringify(name)}; element('keep').requestSubmit()`);
+            await open(browser, text('2_two_dams.yaml'));
+        }
+        await browser.send('Page.reload');
+        await sleep(500);
+        await browser.until('numbers().particles > 0');
+        await browser.value('element("save").click()');
+        assert.deepStrictEqual(await saved(), ['<b>&"', 'my drop']);
+        await browser.value('element("saved").children[1].firstChild.click()');
+        assert.strictEqual(await browser.value('document.title'), 'my drop - sph2d');
+        assert.match(await browser.value('ask("page_text")'), /name: drop/);
+        await browser.value('element("saved").children[1].lastChild.click()');
+        assert.deepStrictEqual(await saved(), ['<b>&"']);
+        await browser.value('element("saved").children[0].lastChild.click()');
+        await browser.value('element("save").click()');
+    },
+
+    'on a phone buttons are as large as fingers': async (browser) => {
+        const size = (width, height, mobile) =>
+            browser.send('Emulation.setDeviceMetricsOverride', {width, height, deviceScaleFactor: 1, mobile});
+        await size(390, 844, true);
+        await open(browser, text('1_dam_break.yaml'));
+        for (const section of [null, 'save', 'more', 'edit']) {
+            if (section) await browser.value(`element('${section}').click()`);
+            await sleep(300);
+            const small = await browser.value(`Array.from(document.querySelectorAll('button, select, input'), (item) => {
+                const box = item.getBoundingClientRect();
+                return [item.textContent || item.id, box.width, box.height];
+            }).filter(([name, width, height]) => width > 0 && (width < 44 || height < 44))`);
+            assert.deepStrictEqual(small, []);
+            assert(await browser.value('document.documentElement.scrollWidth') <= 390, 'the page does not scroll aside');
+            assert(await browser.value('element("stage").getBoundingClientRect().height') > 200, 'the liquid has room');
+            await browser.picture(path.join(folder, `phone_${section || 'page'}.png`));
+            if (section) await browser.value(`element('${section}').click()`);
+        }
+        const tops = await browser.value('tools.map((button) => button.getBoundingClientRect().top)');
+        assert.strictEqual(new Set(tops).size, 1, 'tools are one row');
+        await browser.value('tools[tools.length - 1].scrollIntoView()');
+        assert(await browser.value('tools[tools.length - 1].getBoundingClientRect().right') <= 390, 'all can be reached');
+        await size(1000, 640, false);
+        await sleep(300);
     },
 
     // As in browsers that add up half floats alone, or none.
