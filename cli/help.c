@@ -58,7 +58,7 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "  space .   pause; one step          + -       faster, slower\n"
                   "  arrows 0  gravity; none            V B       viscosity up, down\n"
                   "  T Y       surface tension          K L       stiffness\n"
-                  "  M N C     metaballs, points; look of metaballs; colour\n"
+                  "  M N C ,   metaballs, points; look of metaballs; colour by a field; colour of what is poured\n"
                   "  X Z I     arrows of the velocity; streamlines; isolines of pressure\n"
                   "  1 to 9    scenes of its own; Tab or PageDown: the next one; PageUp: the one before\n"
                   "  U Ctrl-Z  undo: back to before the last act, of ten (128 MiB of liquid at most)\n"

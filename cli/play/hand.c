@@ -52,7 +52,7 @@ static sph2d_status fill(const hand *h, live *l)
     size_t count = 0;
     for (double y = floor((h->at.y - h->radius) / dx); y * dx < h->at.y + h->radius && count < MOST; ++y)
         for (double x = floor((h->at.x - h->radius) / dx); x * dx < h->at.x + h->radius && count < MOST; ++x) {
-            const sph2d_particle drop = {.x = (x + 0.5) * dx, .y = (y + 0.5) * dx};
+            const sph2d_particle drop = {.x = (x + 0.5) * dx, .y = (y + 0.5) * dx, .color = l->nozzle.color};
             if (hypot(drop.x - h->at.x, drop.y - h->at.y) < h->radius)
                 drops[count++] = drop;
         }
@@ -60,8 +60,11 @@ static sph2d_status fill(const hand *h, live *l)
 }
 
 /* A jet as wide as the reach; while time stands still it would not come, and all is filled. */
-static sph2d_status pour(const hand *h, live *l)
+static sph2d_status pour(const hand *h, live *l, sph2d_report *report)
 {
+    const sph2d_status status = l->nozzle.color > 0 ? live_give_colors(l, report) : SPH2D_OK;
+    if (status != SPH2D_OK)
+        return status;
     if (h->still)
         return fill(h, l);
     nozzle_open(&l->nozzle, &l->scene, l->sim, h->at, 2 * h->radius);
@@ -161,7 +164,7 @@ sph2d_status hand_move(hand *h, live *l, sph2d_vec2 at, bool left, bool right, s
     if (status == SPH2D_OK && h->tool == HAND_PULL)
         status = pull(h, l, left, report);
     if (status == SPH2D_OK && left && h->tool == HAND_POUR)
-        status = pour(h, l);
+        status = pour(h, l, report);
     if (status == SPH2D_OK && left && h->tool == HAND_WIPE)
         status = wipe(h, l);
     if (status == SPH2D_OK && draws)

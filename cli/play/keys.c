@@ -19,7 +19,7 @@ enum { COLORS = sizeof colors / sizeof colors[0] };
 
 const char game_help[] = "mouse: left uses the tool or holds a body, right pushes, wheel: reach\n"
                          "Ctrl and wheel: zoom  middle: move the view  Home: all\n"
-                         "P pull  G push  O pour  E wipe  W wall  D body: circle, box, outline\n"
+                         "P pull  G push  O pour  , its colour  E wipe  W wall  D body: circle, box, outline\n"
                          "J hinge (click), spring (drag)  [ ] density of bodies\n"
                          "a click or right with W, D, J takes away\n"
                          "U or Ctrl-Z undo (ten acts)  R again\n"
@@ -66,6 +66,20 @@ static void next_color(game *g)
     g->style.frames.color_range = (sph2d_vec2){0, 0};
     g->color_range = (sph2d_vec2){INFINITY, -INFINITY};
     game_tell(g, "colour: %s", g->style.frames.color ? g->style.frames.color : "one");
+}
+
+/* Of what is poured, in turn, from that of the scene on. */
+static void next_dye(game *g)
+{
+    static const char *const dyes[] = {"crimson", "orange", "gold", "green", "turquoise", "purple", "white"};
+    enum { DYES = sizeof dyes / sizeof dyes[0] };
+    const double before = g->live.nozzle.color;
+    uint32_t rgb = 0;
+    size_t k = 0;
+    while (before > 0 && k < DYES && sph2d_color_parse(dyes[k++], &rgb) && rgb != before)
+        ;
+    g->live.nozzle.color = k < DYES && sph2d_color_parse(dyes[k], &rgb) ? rgb : 0;
+    game_tell(g, "pours %s", k < DYES ? dyes[k] : "the colour of the scene");
 }
 
 static void next_look(game *g)
@@ -254,6 +268,9 @@ static bool look_key(game *g, int key)
         return true;
     case 'C':
         next_color(g);
+        return true;
+    case ',':
+        next_dye(g);
         return true;
     case PLAY_KEY_HOME:
         game_look_home(g);

@@ -190,6 +190,16 @@ sph2d_status live_change(live *l, const sph2d_scene *scene, sph2d_report *report
     return state.arrays ? go_on(l, scene, &state, report) : SPH2D_NOMEM;
 }
 
+sph2d_status live_give_colors(live *l, sph2d_report *report)
+{
+    if (sph2d_sim_colors(l->sim))
+        return SPH2D_OK;
+    sph2d_scene scene = l->scene;
+    const char *usual = sph2d_materials(NULL)[scene.fluid.material].color;
+    scene.fluid.color = usual ? usual : "water";
+    return live_change(l, &scene, report);
+}
+
 /* A state without walls takes those of the scene, and no liquid is placed: where the scene's blocks were says nothing of
  * where it is now. */
 sph2d_status live_rebuild(live *l, const sph2d_scene *scene, void *lists, bool anew, live_clear *clear,

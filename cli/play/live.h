@@ -55,6 +55,9 @@ sph2d_status live_step(live *l, sph2d_report *report);
  *  as it was after a failure. Errors: as sph2d_sim_restore. */
 sph2d_status live_change(live *l, const sph2d_scene *scene, sph2d_report *report);
 
+/** Gives each particle a colour of its own, that of the liquid, if none has one yet. The same errors. */
+sph2d_status live_give_colors(live *l, sph2d_report *report);
+
 /** How thick a wall is that is drawn [m]; 0 where it is a line. */
 double live_wall_thickness(const live *l);
 

@@ -44,7 +44,8 @@ static sph2d_status emit_row(const nozzle *n, const sph2d_scene *scene, sph2d_si
         row[k] = (sph2d_particle){.x = n->at.x + (speed * x + age * acts.x / 2) * age - aside * y,
                                   .y = n->at.y + (speed * y + age * acts.y / 2) * age + aside * x,
                                   .vx = speed * x + age * acts.x,
-                                  .vy = speed * y + age * acts.y};
+                                  .vy = speed * y + age * acts.y,
+                                  .color = n->color};
     }
     return sph2d_sim_add_particles(sim, row, count, NULL);
 }

@@ -14,6 +14,7 @@ typedef struct nozzle {
     sph2d_vec2 at; /**< its middle [m] */
     double width;  /**< across gravity [m] */
     double due;    /**< simulated time of the next row [s] */
+    double color;  /**< of what is poured, as of sph2d_particle; 0: that of the scene */
 } nozzle;
 
 /** Opens it for the next steps, at a place, `width` wide [m]; a jet that was closed for more than a row begins anew. */

@@ -1026,7 +1026,7 @@ SPH2D_API sph2d_probe sph2d_probe_default(void);
  *  other text or NULL. */
 SPH2D_API bool sph2d_color_parse(const char *text, uint32_t *rgb);
 
-/** The names of colours, from 0 on, those of CSS; NULL behind the last. Static storage. */
+/** The names of colours, from 0 on, those of CSS and `water`; NULL behind the last. Static storage. */
 SPH2D_API const char *sph2d_color_name(size_t index);
 
 /** The colour of a liquid, 0xRRGGBB: its own, or its material's. False, with `rgb` as it was, where there is none. */

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /** @file colors.c
- *  Colours of liquid: names and values of CSS Color Module Level 4 (W3C), section 6.1. */
+ *  Colours of liquid: names and values of CSS Color Module Level 4 (W3C), section 6.1, and that of water. */
 #include "scene/colors.h"
 
 #include <stddef.h>
 #include <string.h>
-
-/* What liquid looks like that nothing gives a colour, where others have one. */
-static const uint32_t water = 0x2b82cf;
 
 static const struct {
     const char *name;
@@ -21,7 +18,7 @@ static const struct {
               {"turquoise", 0x40e0d0}, {"skyblue", 0x87ceeb}, {"blue", 0x0000ff},    {"royalblue", 0x4169e1},
               {"navy", 0x000080},      {"indigo", 0x4b0082},  {"purple", 0x800080},  {"violet", 0xee82ee},
               {"magenta", 0xff00ff},   {"orchid", 0xda70d6},  {"hotpink", 0xff69b4}, {"pink", 0xffc0cb},
-              {"lavender", 0xe6e6fa}};
+              {"lavender", 0xe6e6fa},  {"water", 0x2b82cf}};
 
 enum { COLORS = sizeof colors / sizeof colors[0] };
 
@@ -87,8 +84,8 @@ bool sph2d_fluid_color(const sph2d_fluid *fluid, uint32_t *rgb)
 
 uint32_t sph2d__color_of(const sph2d_scene *scene, const char *own)
 {
-    uint32_t rgb = water;
-    if (!sph2d_color_parse(own, &rgb))
-        sph2d_fluid_color(&scene->fluid, &rgb);
+    uint32_t rgb = 0;
+    if (!sph2d_color_parse(own, &rgb) && !sph2d_fluid_color(&scene->fluid, &rgb))
+        sph2d_color_parse("water", &rgb); /* as looks have it, where others have one */
     return rgb;
 }

@@ -84,3 +84,23 @@ last=played_006
 save $last
 [ "$(count density $last)" = 3 ] || fail 'a click does not take a body away'
 quit
+
+# Liquid is poured in a colour of its own, and what there was keeps that of water; undo takes it away.
+played_colors() { # FOLDER: how many particles are of which colour
+    expect 0 "$SPH2D" export "$1"/snapshot_000000.h5 -o "$1"/all.csv -q
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) if ($k == "color") at = k; next }
+        { ++n[at ? $at : "none"] } END { for (c in n) printf "%s=%d ", c, n[c] }' "$1"/all.csv
+}
+play pool.yaml
+xdotool key space comma
+draw o 250 30 255 30
+save played_007
+xdotool key u
+sleep 0.3
+save played_008
+quit
+poured=$(played_colors played_007)
+case " $poured" in *' 14423100='[1-9]*) ;; *) fail "no crimson: $poured" ;; esac
+case " $poured" in *' 2851535='[1-9][0-9]*) ;; *) fail "no water: $poured" ;; esac
+case " $(played_colors played_008)" in *14423100*) fail "crimson after undo" ;; esac
+expect 0 "$SPH2D" resume played_007 -q --no-frames -s run.until=0.3
