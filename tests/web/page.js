@@ -114,7 +114,7 @@ function compare(one, other) {
 const tests = {
     'the page is small and whole': async () => {
         const html = fs.readFileSync(page, 'utf8');
-        assert(fs.statSync(page).size < 450e3, `${fs.statSync(page).size} bytes`);
+        assert(fs.statSync(page).size < 470e3, `${fs.statSync(page).size} bytes`);
         assert(!/(src|href)\s*=\s*["'](https?:)?\/\//.test(html), 'nothing is loaded from elsewhere');
     },
 
