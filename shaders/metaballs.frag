@@ -153,13 +153,14 @@ vec4 look(ivec2 here, float f)
     float covered = cover(f, field_rise(here));
     if (colored && tint.a == 0.0) // little light, so that colours are those of the colour bar
         return vec4(mean_color() * (0.74 + 0.3 * diffuse) + 0.12 * gloss, covered);
-    vec3 high = shallow, low = deep;
-    if (tint.a > 0.0) {
+    vec3 high = shallow, low = deep, edge = sky * (1.0 - normal.z);
+    if (tint.a > 0.0) { // darker at the rim, so that milk is seen on paper
         vec3 plain = plain_color(deep);
-        high = mix(plain, vec3(1.0), 0.25);
+        high = mix(plain, vec3(1.0), 0.2);
         low = 0.85 * plain;
+        edge = -0.5 * (1.0 - normal.z) * plain;
     }
-    vec3 lit = mix(high, low, inside) * (0.46 + 0.66 * diffuse) + sky * (1.0 - normal.z) + 0.22 * gloss;
+    vec3 lit = mix(high, low, inside) * (0.46 + 0.66 * diffuse) + edge + 0.22 * gloss;
     return vec4(lit, covered);
 }
 
