@@ -32,6 +32,8 @@ SCENES = {
              "A ship on a mooring, in waves that a piston makes."),
     "honey": ("examples/honey", 0.5, ["look=flat", "size=[800, 400]"],
               "Honey that is poured faster than it can spread folds to and fro."),
+    "mixing": ("examples/mixing", 1.2, ["size=[800, 450]"],
+               "Columns of coloured water mix, and a particle draws its path."),
     "vortex street": ("examples/cylinder", 8, ["every=8", "color=vorticity", "color_range=[-60, 60]", "size=[800, 220]"],
                       "Vortices leave a cylinder in a stream by turns, Re 100."),
     "splash": ("examples/falling_circle", 0.16, ["style=metaballs", "color_range=[0, 1]", "size=[800, 450]"],
@@ -69,7 +71,7 @@ def run(command, name):
 
 HEAD = """# Gallery
 
-Twelve scenes of this repository, with what each cost and how far it is off: the energy that is unaccounted for, of the
+Thirteen scenes of this repository, with what each cost and how far it is off: the energy that is unaccounted for, of the
 scene's energy, and the compression that 99 % of the particles stay below. `make gallery` runs them and writes this page;
 CPU times are those of the machine that did.
 
