@@ -38,7 +38,7 @@ CK_TIMEOUT_MULTIPLIER ?= 1
 # also: CC AR CPPFLAGS CFLAGS LDFLAGS LDLIBS DESTDIR PYTHON; WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip
 
 # pkg-config name = Debian package. EGL needs a driver at run time, which its package only hints at.
-PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev libxxhash=libxxhash-dev check=check $(if $(filter-out 0,$(RENDER)), \
+PACKAGES := hdf5=libhdf5-dev libfyaml=libfyaml-dev expat=libexpat1-dev libxxhash=libxxhash-dev check=check $(if $(filter-out 0,$(RENDER)), \
     libpng=libpng-dev osmesa=libosmesa6-dev egl=libegl-dev+libgl1-mesa-dri glfw3=libglfw3-dev)
 # Those that pkg-config does not know: header = Debian package.
 HEADER_PACKAGES := chipmunk/chipmunk.h=libchipmunk-dev
@@ -71,13 +71,13 @@ WITH_SHARED := $(filter-out 0,$(SHARED))
 pc_cflags = $(patsubst -I%,-isystem %,$(if $(1),$(shell $(PKG_CONFIG) --cflags $(1) 2>/dev/null)))
 pc_libs = $(if $(1),$(shell $(PKG_CONFIG) --libs $(1) 2>/dev/null))
 HASH := \#
-FOUND := $(shell for p in hdf5 libfyaml libxxhash libpng osmesa egl glfw3 check; do \
+FOUND := $(shell for p in hdf5 libfyaml expat libxxhash libpng osmesa egl glfw3 check; do \
     $(PKG_CONFIG) --exists $$p 2>/dev/null && echo $$p; done; for h in $(HEADER_PACKAGES); do \
     echo "$(HASH)include <$${h%%=*}>" | $(CC) -E - >/dev/null 2>&1 && echo $${h%%=*}; done)
 GL := $(if $(WITH_RENDER),$(filter osmesa egl,$(FOUND)))
 # The window of `sph2d play`; without it the command says what to install.
 GLFW := $(if $(WITH_RENDER),$(filter glfw3,$(FOUND)))
-MISSING := $(filter-out $(FOUND),hdf5 libfyaml libxxhash chipmunk/chipmunk.h $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
+MISSING := $(filter-out $(FOUND),hdf5 libfyaml expat libxxhash chipmunk/chipmunk.h $(if $(WITH_RENDER),libpng $(if $(GL),,osmesa egl)))
 
 # ---- flags: the project's own, then whatever comes from outside ------------------------------------------------------
 # OpenMP shares the loops. Without it its pragmas vanish, and with them the only use of some variables.
@@ -109,7 +109,7 @@ ISA_FLAGS_avx2 := -mavx2 -mfma $(UNALIGNED)
 ISA_FLAGS_avx512 := -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 $(UNALIGNED)
 
 CORE_FLAGS := -Iinclude -Isrc $(if $(X86),-DSPH2D__ISA_X86)
-IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml libxxhash)
+IO_FLAGS := -Iinclude -Isrc $(call pc_cflags,hdf5 libfyaml expat libxxhash)
 CONTACTS_FLAGS := -Iinclude -Isrc
 RENDER_FLAGS := -Iinclude -Isrc -I$(BUILD)/gen $(call pc_cflags,libpng $(GL)) \
     $(if $(filter osmesa,$(GL)),-DSPH2D_HAVE_OSMESA) $(if $(filter egl,$(GL)),-DSPH2D_HAVE_EGL)
@@ -119,7 +119,7 @@ TEST_FLAGS := -Itests $(CORE_FLAGS) $(call pc_cflags,check hdf5 libxxhash $(if $
     $(if $(WITH_RENDER),-I$(BUILD)/gen,-DSPH2D_NO_RENDER)
 
 CORE_LIBS := -lm
-IO_LIBS := $(call pc_libs,hdf5 libfyaml) -lm
+IO_LIBS := $(call pc_libs,hdf5 libfyaml expat) -lm
 CONTACTS_LIBS := -lchipmunk -lm
 RENDER_LIBS := $(if $(WITH_RENDER),$(call pc_libs,libpng $(GL)) -lz -lm)
 
@@ -152,7 +152,7 @@ VARIANTS_SRC := $(sort $(wildcard tests/bench/variants/*.c))
 FRAMES_SRC := $(if $(WITH_RENDER),$(wildcard tests/bench/frames/*.c))
 GOLDEN_SRC := tests/golden/golden.c
 # What takes any bytes, and what gives them to it.
-FUZZ_NAMES := scene study particles table reference snapshot
+FUZZ_NAMES := scene study particles table reference drawing snapshot
 FUZZ_SRC := $(sort $(wildcard tests/fuzz/*.c))
 FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
 # One opens a window.
@@ -475,7 +475,7 @@ test-sanitize: ## both under AddressSanitizer and UBSan, in BUILD/sanitize
 	$(last_stage)
 
 FUZZ_SECONDS ?= 1800
-test-fuzz: ## hostile files under the sanitizers, FUZZ_SECONDS=1800 for each of six readers
+test-fuzz: ## hostile files under the sanitizers, FUZZ_SECONDS=1800 for each of seven readers
 	$(hush)$(MAKE) BUILD=$(BUILD)/sanitize SANITIZE=address,undefined fuzz-run
 
 fuzz-run: $(BUILD)/sph2d $(FUZZ_BIN)
@@ -730,7 +730,7 @@ MAN_PAGES := $(sort $(wildcard cli/*.1 cli/*.3 cli/*.5))
 man_dir = $D$(mandir)/man$(patsubst .%,%,$(suffix $(1)))
 # In the folders that they have here, so that their links hold.
 DOC_FILES := LICENSE README.md CHANGELOG.md $(sort $(wildcard docs/*.md docs/*.gif docs/*.png docs/gallery/*.png docs/notes/*.md examples/*.* \
-    $(foreach e,yaml csv py md txt,examples/*/*.$(e))))
+    $(foreach e,yaml csv svg py md txt,examples/*/*.$(e))))
 MODULE_FILES := $(sort $(wildcard python/sph2d/*.py python/sph2d/py.typed))
 D = $(DESTDIR)
 install: all ## to prefix (/usr/local), below DESTDIR

@@ -85,7 +85,7 @@
     X(packing)                                                                                                         \
     X(packing_rest)                                                                                                    \
     X(placing)                                                                                                         \
-    X(starts)                                                                                                          \
+    X(starts) X(svg)                                                                                                          \
     X(fields)                                                                                                          \
     X(state)                                                                                                           \
     X(extremes)                                                                                                        \

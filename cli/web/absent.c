@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /** @file absent.c
- *  What a page does not have: snapshots, files. */
+ *  What a page does not have: snapshots, drawings, files. */
 #include <emscripten.h>
+#include <stddef.h>
 
 #include "../play/game.h"
 #include "../play/turn.h"
+#include "files/table_kind.h"
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 
@@ -33,6 +35,10 @@ sph2d_snapshot_info sph2d_snapshot_get_info(const sph2d_snapshot *snapshot)
     (void)snapshot;
     return (sph2d_snapshot_info){0};
 }
+
+/* A scene that is not read from a file has none beside it: the check says so. */
+const sph2d__table_kind sph2d__closed_drawing = {.key = "svg", .file = offsetof(sph2d_shape, svg)};
+const sph2d__table_kind sph2d__drawing = {.key = "svg", .file = offsetof(sph2d_shape, svg)};
 
 /* Scenes and films become downloads, which the page's script makes of keys itself. */
 void game_save(game *g)

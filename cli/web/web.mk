@@ -6,8 +6,9 @@ EMCC ?= emcc
 # Where Debian's Emscripten finds its helpers.
 WEB_ENV := NODE_PATH=/usr/share/nodejs NODE_OPTIONS=
 WEB_LIBS := $(WEB)/sources
-# Snapshots are HDF5, which a page has no use for; absent.c refuses them. Streamlines would take 3 of its 470 kB.
-WEB_WITHOUT := src/files/h5_% src/files/snapshot% src/files/parameters% src/files/series.c \
+# Snapshots are HDF5, which a page has no use for; absent.c refuses them, and drawings, which are files. Streamlines would
+# take 3 of its 470 kB.
+WEB_WITHOUT := src/files/drawing.c src/files/svg_% src/files/h5_% src/files/snapshot% src/files/parameters% src/files/series.c \
     src/render/streamlines.c src/render/png_file.c src/render/gl_context_egl.c src/render/gl_context_osmesa.c
 WEB_SRC := $(filter-out $(WEB_WITHOUT),$(CORE_SRC) $(IO_SRC) $(CONTACTS_SRC) $(RENDER_SRC)) \
     cli/frame.c cli/frame_field.c cli/frame_paths.c cli/text.c cli/json.c $(addprefix cli/play/,camera.c drawn.c game.c grip.c hand.c keys.c lists.c live.c live_bodies.c \

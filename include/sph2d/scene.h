@@ -102,6 +102,9 @@ typedef struct sph2d_shape {
 
     /** A part of a circle: its centre is on its left. */
     sph2d_arc arc;
+
+    /** A file and an id in it, `harbour.svg#quay`, borrowed; NULL once it is read. */
+    const char *svg;
 } sph2d_shape;
 
 /** Boundary conditions at the four sides of the domain. */

@@ -173,7 +173,10 @@ typedef enum sph2d_shape_kind {
     SPH2D_SHAPE_POLYLINE,
 
     /** A part of a circle, open. */
-    SPH2D_SHAPE_ARC
+    SPH2D_SHAPE_ARC,
+
+    /** A polygon or polyline in a drawing, which becomes one when sph2d_scene_file_read() reads it; else refused. */
+    SPH2D_SHAPE_SVG
 } sph2d_shape_kind;
 
 /** On which side of an outline with layers the liquid is, for lines looking from the first point to the last. */

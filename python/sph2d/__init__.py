@@ -99,7 +99,7 @@ typedef struct sph2d_circle { sph2d_vec2 center; double radius; } sph2d_circle;
 typedef struct sph2d_arc { sph2d_vec2 center; double radius; double from, to; } sph2d_arc;
 typedef struct sph2d_points { const sph2d_vec2 *items; size_t count; } sph2d_points;
 typedef struct sph2d_shape { sph2d_shape_kind kind; sph2d_box box; sph2d_circle circle; sph2d_points points;
-    sph2d_arc arc; } sph2d_shape;
+    sph2d_arc arc; const char *svg; } sph2d_shape;
 typedef struct sph2d_particle { double x, y; double vx, vy; double density; double color; } sph2d_particle;
 typedef enum sph2d_material { SPH2D_MATERIAL_NONE = 0 } sph2d_material;
 typedef enum sph2d_rheology { SPH2D_RHEOLOGY_NEWTONIAN = 0 } sph2d_rheology;

@@ -248,5 +248,7 @@ void sph2d__snapshot_get_given(sph2d__h5_reader *r, sph2d_scene *scene)
     scene->blocks = blocks;
     scene->obstacles = make_items(r, "obstacles", "restitution", sizeof *scene->obstacles, &scene->obstacle_count);
     scene->openings = make_items(r, "openings", "side", sizeof *scene->openings, &scene->opening_count);
+    scene->drains = make_items(r, "drains", "start", sizeof *scene->drains, &scene->drain_count);
+    scene->bodies = make_items(r, "bodies", "friction", sizeof *scene->bodies, &scene->body_count);
     sph2d__tables_each_list(scene, get_list, r);
 }

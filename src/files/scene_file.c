@@ -21,10 +21,25 @@ struct sph2d_scene_file {
 
 /* ---- errors of the checker --------------------------------------------------------------------------------------- */
 
+/** Names the key that a file has: a shape is a polygon or polyline once it is read from a drawing. */
+static void name_drawing(const sph2d__node *root, sph2d_diagnostic *diagnostic)
+{
+    char *dot = strrchr(diagnostic->path, '.');
+    if (!dot || (strcmp(dot, ".polygon") != 0 && strcmp(dot, ".polyline") != 0))
+        return;
+    *dot = '\0';
+    const bool drawn = sph2d__node_find(sph2d__node_at(root, diagnostic->path), "svg", 3);
+    *dot = '.';
+    if (drawn)
+        memcpy(dot, ".svg", sizeof ".svg");
+}
+
 void sph2d_scene_file_locate(const sph2d_scene_file *file, sph2d_diagnostic *diagnostic)
 {
-    if (file && diagnostic)
-        sph2d__node_locate(file->document.root, diagnostic);
+    if (!file || !diagnostic)
+        return;
+    name_drawing(file->document.root, diagnostic);
+    sph2d__node_locate(file->document.root, diagnostic);
 }
 
 /** Whether an error only follows from values that could not be read and were reported. */
@@ -77,8 +92,10 @@ static sph2d_status read_files(sph2d_scene_file *file, sph2d__faults *faults)
     sph2d_scene *scene = &file->scene;
     const char *from = file->document.source.name;
     sph2d__pool *pool = &file->document.pool;
-    if (faults->errors > 0)
+    if (faults->errors > 0) {
+        sph2d__tables_skip(scene, faults);
         return SPH2D_OK;
+    }
     if (!file->source->with_files) {
         const sph2d_scene *kept = file->source->kept;
         if (kept)
@@ -115,6 +132,8 @@ static sph2d_status read_scene(void *owner, sph2d__faults *faults)
         return status;
     sph2d_report found = {0};
     sph2d_scene_check(&file->scene, &found);
+    for (size_t i = 0; i < found.count; ++i)
+        name_drawing(root, &found.items[i]);
     sph2d__document_pass(&file->document, &found, faults, is_consequence);
     return faults->errors > 0 ? SPH2D_SCENE : SPH2D_OK;
 }

@@ -6,6 +6,7 @@
 #define SPH2D_FILES_SCENE_FILE_H
 
 #include "files/pool.h"
+#include "files/text.h"
 #include "sph2d/io.h"
 #include "sph2d/scene.h"
 #include "sph2d/status.h"
@@ -30,6 +31,9 @@ sph2d_status sph2d__scene_file_parse(const sph2d__scene_source *source, const sp
  *  named no more; particles and grids stay named. Errors: those of sph2d_table_read(), SPH2D_FORMAT for rows that are not
  *  what the key is for, SPH2D_NOMEM. */
 sph2d_status sph2d__tables_read(sph2d_scene *scene, const char *from, sph2d__pool *pool, sph2d_report *report);
+
+/** Marks the keys that name them as invalid: what they would give is missing. */
+void sph2d__tables_skip(const sph2d_scene *scene, sph2d__faults *faults);
 
 /** The same without the files, for a run that is resumed: copies the lists over time of the scene `kept`. A file stays
  *  named if there is none. Errors: SPH2D_NOMEM. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file scene_tables.c
- *  Which keys of a scene name tables, and one way to read them all. A key is a row of `places`; what its table is about
+ *  Which keys of a scene name tables or drawings, and one way to read them all. A key is a row of `places`; what its table is about
  *  is a kind (table_kind.h). */
 #include "files/scene_file.h"
 
@@ -100,6 +100,10 @@ static const place places[] = {
     {IN_SCENE, "", offsetof(sph2d_scene, particles), &particles_table},
     {IN_LIST(blocks, block_count, sph2d_block), "start.", offsetof(sph2d_block, start.table), &sph2d__grid_table},
     {IN_SCENE, "start.", offsetof(sph2d_scene, start.table), &sph2d__grid_table},
+    {IN_LIST(blocks, block_count, sph2d_block), "", offsetof(sph2d_block, shape), &sph2d__closed_drawing},
+    {IN_LIST(drains, drain_count, sph2d_drain), "", offsetof(sph2d_drain, shape), &sph2d__closed_drawing},
+    {IN_LIST(obstacles, obstacle_count, sph2d_obstacle), "", offsetof(sph2d_obstacle, shape), &sph2d__drawing},
+    {IN_LIST(bodies, body_count, sph2d_body), "", offsetof(sph2d_body, shape), &sph2d__closed_drawing},
 };
 static const place *const places_end = places + sizeof places / sizeof places[0];
 
@@ -136,15 +140,28 @@ static void key_of(const place *p, size_t i, const char *name, char key[KEY_SIZE
         snprintf(key, KEY_SIZE, "%s%s", p->group, name);
 }
 
+static sph2d__list list_of(const sph2d__list_slot *slot, const char *owner)
+{
+    sph2d__list list;
+    memcpy(&list, owner + slot->at, sizeof list);
+    return list;
+}
+
+/** Which of several lists that share a place a struct has; 0: none. */
+static int choice_of(const sph2d__list_slot *slot, const char *owner)
+{
+    int choice;
+    memcpy(&choice, owner + slot->choice_at, sizeof choice);
+    return choice;
+}
+
 /** The name of the file that is to fill a struct; NULL for none. If there is a list, too, the check refuses them. */
 static const char *wanted_file(const sph2d__table_kind *kind, const char *owner)
 {
     const char *file;
     memcpy(&file, owner + kind->file, sizeof file);
     for (const sph2d__list_slot *slot = kind->lists; slot->width > 0; ++slot) {
-        sph2d__list list;
-        memcpy(&list, owner + slot->at, sizeof list);
-        if (list.count > 0)
+        if (list_of(slot, owner).count > 0)
             return NULL;
     }
     return file;
@@ -174,25 +191,32 @@ static sph2d_status fill(const sph2d__table_input *in, char *owner)
 {
     if (in->kind->lacks_all && lacks_all(in->kind, in->table))
         return sph2d__table_fault(in, 0, "%s", in->kind->lacks_all);
-    sph2d_status status = in->kind->take(in, owner);
+    return in->kind->take(in, owner);
+}
+
+static sph2d_status read_table(const sph2d__table_kind *kind, char *owner, const char *path, sph2d__pool *pool,
+                               sph2d_report *report)
+{
+    sph2d_table *table;
+    sph2d_status status = sph2d_table_read(path, kind->columns, kind->column_count, &table, report);
     if (status == SPH2D_OK)
-        settle(in->kind, owner);
+        status = fill(&(sph2d__table_input){kind, table, pool, report}, owner);
+    sph2d_table_destroy(table);
     return status;
 }
 
 /** Fills a struct from a file, which `key` names. */
-static sph2d_status read_table(const sph2d__table_kind *kind, char *owner, const char *path, const char *key,
-                               sph2d__pool *pool, sph2d_report *report)
+static sph2d_status read_file(const sph2d__table_kind *kind, char *owner, const char *path, const char *key,
+                              const sph2d_scene *scene, sph2d__pool *pool, sph2d_report *report)
 {
     if (!path)
         return SPH2D_NOMEM;
-    sph2d_table *table;
     size_t first = report ? report->count : 0;
-    sph2d_status status = sph2d_table_read(path, kind->columns, kind->column_count, &table, report);
+    sph2d_status status = kind->read ? kind->read(&(sph2d__file_input){kind, path, scene, pool, report}, owner)
+                                     : read_table(kind, owner, path, pool, report);
     if (status == SPH2D_OK)
-        status = fill(&(sph2d__table_input){kind, table, pool, report}, owner);
+        settle(kind, owner);
     sph2d__report_key(report, first, key);
-    sph2d_table_destroy(table);
     return status;
 }
 
@@ -206,9 +230,20 @@ sph2d_status sph2d__tables_read(sph2d_scene *scene, const char *from, sph2d__poo
             if (!file)
                 continue;
             key_of(p, i, p->kind->key, key);
-            status = read_table(p->kind, owner, sph2d__pool_join(pool, from, file), key, pool, report);
+            status = read_file(p->kind, owner, sph2d__pool_join(pool, from, file), key, scene, pool, report);
         }
     return status;
+}
+
+void sph2d__tables_skip(const sph2d_scene *scene, sph2d__faults *faults)
+{
+    for (const place *p = places; p < places_end; ++p)
+        for (size_t i = 0; i < count_of(p, scene); ++i) {
+            char key[KEY_SIZE];
+            key_of(p, i, p->kind->key, key);
+            if (wanted_file(p->kind, struct_of(p, scene, i)))
+                sph2d__faults_mark_invalid(faults, key);
+        }
 }
 
 /* ---- from a snapshot --------------------------------------------------------------------------------------------- */
@@ -221,7 +256,10 @@ void sph2d__tables_each_list(sph2d_scene *scene,
             for (const sph2d__list_slot *slot = p->kind->lists; slot->key; ++slot) {
                 char key[KEY_SIZE];
                 key_of(p, i, slot->key, key);
-                visit(context, key, slot->width, struct_to_fill(p, scene, i) + slot->at);
+                char *owner = struct_to_fill(p, scene, i);
+                visit(context, key, slot->width, owner + slot->at);
+                if (slot->choice && list_of(slot, owner).count > 0 && choice_of(slot, owner) == 0)
+                    memcpy(owner + slot->choice_at, &slot->choice, sizeof slot->choice);
             }
 }
 
@@ -229,15 +267,16 @@ void sph2d__tables_each_list(sph2d_scene *scene,
 static bool copy_list(const sph2d__table_kind *kind, char *owner, const char *kept, sph2d__pool *pool)
 {
     for (const sph2d__list_slot *slot = kind->lists; slot->key; ++slot) {
-        sph2d__list list;
-        memcpy(&list, kept + slot->at, sizeof list);
-        if (list.count == 0)
+        sph2d__list list = list_of(slot, kept);
+        if (list.count == 0 || (slot->choice && choice_of(slot, kept) != slot->choice))
             continue;
         void *items = sph2d__pool_alloc(pool, list.count, slot->width * sizeof(double));
         if (!items)
             return false;
         memcpy(items, list.items, list.count * slot->width * sizeof(double));
         memcpy(owner + slot->at, &(sph2d__list){items, list.count}, sizeof list);
+        if (slot->choice)
+            memcpy(owner + slot->choice_at, &slot->choice, sizeof slot->choice);
         settle(kind, owner);
         break;
     }

@@ -162,7 +162,7 @@ static void put_value(output *p, const sph2d_key *key, const char *owner)
         break;
     case SPH2D_KEY_TEXT:
         memcpy(&text, slot, sizeof text);
-        put_text(p, text);
+        put_text(p, text ? text : "");
         break;
     case SPH2D_KEY_POINT:
         memcpy(numbers, slot, sizeof numbers);

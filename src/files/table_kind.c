@@ -15,6 +15,7 @@ IS_LIST(sph2d_path);
 IS_LIST(sph2d_pose_path);
 IS_LIST(sph2d_history);
 IS_LIST(sph2d_particles);
+IS_LIST(sph2d_points);
 
 sph2d_status sph2d__table_fault(const sph2d__table_input *in, size_t row, const char *format, ...)
 {

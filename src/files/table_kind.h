@@ -18,9 +18,11 @@ typedef struct sph2d__list {
 
 /** Where a sph2d__list is. */
 typedef struct sph2d__list_slot {
-    const char *key; /**< of the list; NULL: it has none, only the file has */
-    size_t at;       /**< offset in the struct */
-    size_t width;    /**< numbers of an item */
+    const char *key;  /**< of the list; NULL: it has none, only the file has */
+    size_t at;        /**< offset in the struct */
+    size_t width;     /**< numbers of an item */
+    size_t choice_at; /**< offset of the int that says which of several lists is there ... */
+    int choice;       /**< ... and its value for this one; 0: the list says so itself */
 } sph2d__list_slot;
 
 /** A table that becomes part of a scene. */
@@ -30,6 +32,15 @@ typedef struct sph2d__table_input {
     sph2d__pool *pool; /**< owns what is made of it */
     sph2d_report *report;
 } sph2d__table_input;
+
+/** A file of another kind that becomes part of a scene. */
+typedef struct sph2d__file_input {
+    const struct sph2d__table_kind *kind;
+    const char *path;
+    const sph2d_scene *scene; /**< its numbers are read, but not checked */
+    sph2d__pool *pool;
+    sph2d_report *report;
+} sph2d__file_input;
 
 /** A kind of table. It fills a struct of the scene, in which is also the key that names the file. */
 typedef struct sph2d__table_kind {
@@ -45,6 +56,9 @@ typedef struct sph2d__table_kind {
 
     /** Fills the struct. Errors: SPH2D_FORMAT, with a message, and SPH2D_NOMEM. */
     sph2d_status (*take)(const sph2d__table_input *in, void *owner);
+
+    /** Or else reads a file that is no table, and fills the struct. Errors: as `take`, and SPH2D_NOINPUT. */
+    sph2d_status (*read)(const sph2d__file_input *in, void *owner);
 
     /** Of sph2d__table_take: says what is wrong with a row, NULL for nothing ... */
     const char *(*refuse)(const sph2d_table *table, size_t row);
@@ -82,6 +96,9 @@ sph2d_status sph2d__table_lacks(const sph2d__table_input *in, size_t row, size_t
 
 /** What a sph2d_opening prescribes over time, velocity also over place. */
 extern const sph2d__table_kind sph2d__history_table;
+
+/** A shape in a drawing, a sph2d_shape: it becomes a polygon, of obstacles also a polyline where the path is open. */
+extern const sph2d__table_kind sph2d__closed_drawing, sph2d__drawing;
 
 /** Velocity and pressure over a rectangular grid, a sph2d_grid: rows in any order. Coordinates that differ by less than
  *  1e-9 of the table's width, or height, are the same. */

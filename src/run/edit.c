@@ -100,6 +100,7 @@ static bool is_shape(const sph2d_shape *shape)
     case SPH2D_SHAPE_LINE:
     case SPH2D_SHAPE_POLYLINE:
     case SPH2D_SHAPE_ARC:
+    case SPH2D_SHAPE_SVG:
     case SPH2D_SHAPE_NONE:
         break;
     }

@@ -40,6 +40,7 @@ static moments moments_of(const sph2d_shape *outline)
     case SPH2D_SHAPE_LINE:
     case SPH2D_SHAPE_POLYLINE:
     case SPH2D_SHAPE_ARC:
+    case SPH2D_SHAPE_SVG:
     case SPH2D_SHAPE_NONE:
         break;
     }

@@ -66,13 +66,16 @@ static void check_shape(checker *c, const sph2d_shape *shape, const char *list, 
         if (!sph2d__check_polygon(c, shape->points, path))
             return;
         break;
+    case SPH2D_SHAPE_SVG:
+        sph2d__check_unread(c, sph2d__check_path(path, list, index, ".svg"));
+        return;
     case SPH2D_SHAPE_LINE:
     case SPH2D_SHAPE_POLYLINE:
     case SPH2D_SHAPE_ARC:
     case SPH2D_SHAPE_NONE: {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, list, index, ""), "has no shape");
-        sph2d_diagnostic_hint(d, "give one of box, circle, polygon");
+        sph2d_diagnostic_hint(d, "give one of box, circle, polygon, svg");
         return;
     }
     }

@@ -31,9 +31,11 @@ static void check_wall_name(checker *c, size_t i)
 
 static void check_points_inside(checker *c, sph2d_points points, const char *path)
 {
-    for (size_t i = 0; i < points.count; ++i)
-        if (!sph2d__check_in_domain(c->scene, points.items[i]))
-            sph2d__check_outside(c, path, points.items[i]);
+    size_t i = 0;
+    while (i < points.count && sph2d__check_in_domain(c->scene, points.items[i]))
+        ++i;
+    if (i < points.count) /* one tells: a drawing has hundreds */
+        sph2d__check_outside(c, path, points.items[i]);
 }
 
 static void check_outline_points(checker *c, sph2d_points points, bool two, const char *path)
@@ -120,11 +122,15 @@ static void check_obstacle(checker *c, size_t i)
     case SPH2D_SHAPE_ARC:
         check_arc(c, &outline->arc, i);
         break;
+    case SPH2D_SHAPE_SVG:
+        sph2d__check_unread(c, sph2d__check_wall_path(c, path, i, ".svg"));
+        break;
     case SPH2D_SHAPE_NONE: {
         sph2d_diagnostic *d =
             sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_wall_path(c, path, i, ""), "has no outline");
         sph2d_diagnostic_hint(d, "give one of %s",
-                              wall->body ? "circle, box, polygon" : "line, polyline, circle, box, polygon, arc");
+                              wall->body ? "circle, box, polygon, svg"
+                                         : "line, polyline, circle, box, polygon, arc, svg");
         break;
     }
     }

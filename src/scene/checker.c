@@ -114,6 +114,13 @@ bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *p
     return false;
 }
 
+void sph2d__check_unread(sph2d__checker *c, const char *path)
+{
+    sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path,
+                                             "was not read: only a scene that is read from a file has files");
+    sph2d_diagnostic_hint(d, "give its corners as `polygon`");
+}
+
 void sph2d__check_times(sph2d__checker *c, const double *times, size_t count, size_t stride, const char *path)
 {
     for (size_t k = 1; k < count; ++k)

@@ -47,6 +47,9 @@ bool sph2d__check_count(sph2d__checker *c, sph2d_points points, const char *path
 /** Whether a polygon is valid; counts and reports an error otherwise. */
 bool sph2d__check_polygon(sph2d__checker *c, sph2d_points corners, const char *path);
 
+/** Reports a shape in a drawing, which is none until it is read. */
+void sph2d__check_unread(sph2d__checker *c, const char *path);
+
 /** Checks that the times of a path increase: `count` of them, `stride` numbers apart. */
 void sph2d__check_times(sph2d__checker *c, const double *times, size_t count, size_t stride, const char *path);
 

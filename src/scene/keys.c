@@ -102,7 +102,10 @@ KEYS(arc, sph2d_arc, NULL);
     {"circle", SPH2D_KEY_GROUP, false, AT(type, shape.circle), CHOICE(type, shape.kind, SPH2D_SHAPE_CIRCLE),           \
      .also = "disc", .keys = &circle_keys, .unit = "", .text = "a circle, or the disc within it; `disc` says the same"}, \
     {"polygon", SPH2D_KEY_POINTS, false, LIST_AT(type, shape.points.items, shape.points.count), ANY,                   \
-     CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself"}
+     CHOICE(type, shape.kind, SPH2D_SHAPE_POLYGON), .unit = "m", .text = "corners, 3 or more, closed by itself"},      \
+    {"svg", SPH2D_KEY_TEXT, false, AT(type, shape.svg), CHOICE(type, shape.kind, SPH2D_SHAPE_SVG), .unit = "",         \
+     .text = "FILE.svg#ID: the outline with that id of a drawing, whose page is as wide as the domain and stands on its " \
+             "bottom"}
 // clang-format on
 
 /* The colour of liquid. */

@@ -181,6 +181,8 @@ const char *sph2d__shape_key(sph2d_shape_kind kind)
         return ".polyline";
     case SPH2D_SHAPE_ARC:
         return ".arc";
+    case SPH2D_SHAPE_SVG:
+        return ".svg";
     case SPH2D_SHAPE_NONE:
         break;
     }

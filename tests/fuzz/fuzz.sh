@@ -30,9 +30,9 @@ export LSAN_OPTIONS=suppressions=$root/tests/fuzz/leaks.supp:print_suppressions=
 export UBSAN_OPTIONS=print_stacktrace=1
 
 # Inputs of about two seconds.
-declare -A few=([scene]=2000 [study]=10000 [particles]=5000 [table]=2000 [reference]=5000 [snapshot]=400)
+declare -A few=([scene]=2000 [study]=10000 [particles]=5000 [table]=2000 [reference]=5000 [drawing]=5000 [snapshot]=400)
 status=0
-for name in scene study particles table reference snapshot; do
+for name in scene study particles table reference drawing snapshot; do
     files=()
     case $name in
     snapshot) files=("$out"/*.h5) ;;
@@ -46,6 +46,7 @@ for name in scene study particles table reference snapshot; do
         scene) files+=(examples/*/scene.yaml tests/strangers/scenes/* tests/hard/*/scene.yaml tests/cli/tiny.scene) ;;
         study) files+=(examples/*/study*.yaml tests/hard/*/study.yaml) ;;
         reference) files+=(examples/*/*.csv) ;;
+        drawing) files+=(examples/*/*.svg tests/restarts/scenes/*.svg) ;;
         esac
     fi
     mkdir "$out/$name"

@@ -186,7 +186,7 @@ run_one() {
     rm -rf "${dir:?}/$seed" && mkdir "$dir/$seed" && cd "$dir/$seed"
     changes=()
     if [ -n "$given" ]; then
-        cp "${given%/*}"/*.csv "$dir/before.h5" .
+        cp "${given%/*}"/*.csv "${given%/*}"/*.svg "$dir/before.h5" .
         cp "$given" scene.yaml
         until=$(sed -n 's/.*\<until: \([0-9.]*\).*/\1/p' scene.yaml)
     else

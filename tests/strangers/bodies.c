@@ -23,6 +23,7 @@ static size_t corner_count(const sph2d_shape *o)
         return o->points.count;
     case SPH2D_SHAPE_CIRCLE:
     case SPH2D_SHAPE_ARC:
+    case SPH2D_SHAPE_SVG:
     case SPH2D_SHAPE_NONE:
         break;
     }
