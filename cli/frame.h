@@ -20,6 +20,7 @@ typedef struct frame_style {
     double spacing;  /**< [m] */
     bool tinted;     /**< liquid has a colour: its own, or its material's ... */
     uint32_t tint;   /**< ... which is this, 0xRRGGBB */
+    size_t recent;   /**< places of paths that are drawn, the last ones; 0: all */
     bool full_range; /**< colours that have no range go from the smallest value to the largest, not from the 1st to the
                           99th percentile */
 } frame_style;

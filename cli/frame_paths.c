@@ -55,9 +55,13 @@ static bool wraps(const frame_style *style, double x, double y)
 bool frame_set_paths(const particle_source *source, const frame_style *style, frame_buffers *buffers,
                      sph2d_picture *picture)
 {
-    const sph2d_paths paths = paths_of(source);
+    sph2d_paths paths = paths_of(source);
     if (paths.count == 0)
         return true;
+    if (style->recent > 0 && paths.count > style->recent) {
+        const size_t old = paths.count - style->recent;
+        paths = (sph2d_paths){style->recent, paths.places + 2 * old, paths.probes + old};
+    }
     if (!reserve(buffers, paths.count))
         return false;
     double *x = buffers->path_x, *y = buffers->path_y;

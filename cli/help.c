@@ -70,8 +70,8 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "  sph2d play scene.yaml --set spacing=0.02 --color speed\n",
     [CLI__RENDER] =
         "Writes frame_000000.png and on, one per snapshot in the order given; a folder stands for all of its\n"
-        "snapshots. Size, style, look, radius and colours are those of the scene's own frames unless an option says\n"
-        "otherwise.\n"
+        "snapshots. Of one snapshot -o FILE.png makes that file. Size, style, look, radius and colours are those of\n"
+        "the scene's own frames unless an option says otherwise.\n"
         "With --film ffmpeg makes a film of them: .mp4, or an animated image for a page, .gif or .png (.apng), with\n"
         "up to 128 colours and, unless --size says otherwise, 640 pixels wide. It has the pace of the scene: --fps\n"
         "changes that. Up to 60 frames of a second are in a film, 25 in an image.\n"

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /** @file render.c
- *  `sph2d render PATH... -o DIR`: draws snapshots as a sequence of PNG files; with --film FILE as a film. */
+ *  `sph2d render PATH... -o DIR`: draws snapshots as a sequence of PNG files, one snapshot as one file, FILE.png; with
+ *  --film FILE as a film. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "command.h"
 #include "exit.h"
@@ -78,7 +80,8 @@ static int check_usage(const cli_options *options)
 typedef struct sequence {
     const cli_options *options;
     snapshot_list inputs;
-    film_strip *strip; /* NULL: PNG files in the folder */
+    film_strip *strip; /* NULL: PNG files in the folder ... */
+    bool alone;        /* ... or the only one, which the output is the name of */
     cli_folder folder;
     cli_progress progress;
     size_t next, drawn; /* the snapshot to read next; frames that are done */
@@ -148,7 +151,8 @@ static bool name_frame(worker *w, frame_job *f)
 {
     if (w->sequence->strip)
         return true;
-    const char *path = folder_file(&w->sequence->folder, "frame_%06zu.png", f->index);
+    const sequence *s = w->sequence;
+    const char *path = s->alone ? s->options->output : folder_file(&w->sequence->folder, "frame_%06zu.png", f->index);
     f->path = path ? strdup(path) : NULL;
     if (!f->path)
         fail(w, SPH2D_NOMEM);
@@ -235,6 +239,8 @@ static int prepare_output(worker *w)
             fail(w, status);
         return s->code;
     }
+    if (s->alone)
+        return s->code;
     return folder_clear(&s->folder, s->options->force ? FOLDER_CLEAR_FRAMES : FOLDER_KEEP);
 }
 
@@ -295,10 +301,36 @@ static void draw_all(sequence *s, int workers)
     }
 }
 
-/* Takes the folder, or looks for what a film must have. */
+/* Whether a name is that of a picture, not of a folder that is there. */
+static bool is_picture(const char *name)
+{
+    const size_t length = strlen(name);
+    struct stat found;
+    return length > 4 && strcmp(name + length - 4, ".png") == 0 && (stat(name, &found) != 0 || !S_ISDIR(found.st_mode));
+}
+
+static int claim_picture(const sequence *s)
+{
+    const char *name = s->options->output;
+    struct stat found;
+    if (s->inputs.count > 1) {
+        message_error(SPH2D_CODE_GENERAL, "give a folder, -o DIR, or one snapshot",
+                      "%zu snapshots are no single picture, '%s'", s->inputs.count, name);
+        return CLI_EXIT_USAGE;
+    }
+    if (stat(name, &found) == 0 && !s->options->force) {
+        message_error(SPH2D_CODE_FILE_EXISTS, "--force replaces it", "'%s' exists already", name);
+        return CLI_EXIT_CANTCREAT;
+    }
+    return CLI_EXIT_SUCCESS;
+}
+
+/* Takes the folder or the name of the picture, or looks for what a film must have. */
 static int claim_output(sequence *s)
 {
     const cli_options *options = s->options;
+    if (s->alone)
+        return claim_picture(s);
     if (!s->strip)
         return folder_claim(&s->folder, options->output, options->force, NULL);
     return film_strip_begin(s->strip, options, &s->inputs);
@@ -346,6 +378,7 @@ int command_render(const cli_options *options)
         return code;
     film_strip strip = {0};
     sequence s = {.options = options, .folder = FOLDER_CLOSED, .strip = options->film ? &strip : NULL};
+    s.alone = !options->film && is_picture(options->output);
     signals_install();
     s.code = snapshot_list_make(&s.inputs, options);
     if (s.code == CLI_EXIT_SUCCESS)

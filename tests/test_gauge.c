@@ -247,6 +247,7 @@ static double rise_time_of(double gravity, double sound_speed, double given)
     scene.method.sound_speed = sound_speed;
     sph2d_probe probes[2] = {sph2d_probe_default(), sph2d_probe_default()};
     probes[0].name = "gauge";
+    probes[0].at = (sph2d_vec2){0, 0};
     probes[0].kind = SPH2D_PROBE_PRESSURE;
     probes[1].name = "energy";
     probes[0].rate.every = probes[1].rate.every = 0.1;

@@ -265,7 +265,7 @@ START_TEST(work_is_that_of_the_forces)
         read(sim, POST, force);
         const sph2d__load_state *now = &sim->loads.states[sim->loads.of_probe[POST]];
         const sph2d__pose *pose = &sim->moving[0].to; /* where the forces were evaluated last */
-        sph2d_vec2 v = sph2d__pose_velocity(pose, sph2d__pose_apply(pose, flood.probes[POST].at));
+        sph2d_vec2 v = sph2d__pose_velocity(pose, sph2d__pose_apply(pose, (sph2d_vec2){0, 0}));
         double power = -v.x * (force[0] - force[7]) - v.y * (force[1] - force[8]) -
                        pose->omega * (now->pressure.torque + now->friction.torque);
         if (_i == 0) /* wcsph has forces of the middle of the step, a method with a projection has moved on since */

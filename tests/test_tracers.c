@@ -224,15 +224,19 @@ START_TEST(faults_are_told)
         sph2d_path path;
         double x;
         const char *key;
-    } faults[] = {{SPH2D_PROBE_SPEED, "left", {NULL, 0}, 0.1, "probes[0].on"},
-                  {SPH2D_PROBE_PRESSURE, "raft", {NULL, 0}, 0.1, "probes[0].on"},
-                  {SPH2D_PROBE_SPEED, NULL, {back, 2}, 0.1, "probes[0].path"},
-                  {SPH2D_PROBE_ELEVATION, NULL, {out, 2}, 0.1, "probes[0].path"},
-                  {SPH2D_PROBE_TRACER, NULL, {out, 1}, 0.1, "probes[0].path"},
-                  {SPH2D_PROBE_ENERGY, NULL, {out, 1}, 0.1, "probes[0].path"},
-                  {SPH2D_PROBE_TRACER, "left", {NULL, 0}, 0.1, "probes[0].on"},
-                  {SPH2D_PROBE_TRACER, NULL, {NULL, 0}, 2.1, "probes[0].at"},
-                  {SPH2D_PROBE_SPEED, "bar", {out, 1}, 0.1, "probes[0].on"}};
+        double size;
+    } faults[] = {{SPH2D_PROBE_SPEED, "left", {NULL, 0}, 0.1, "probes[0].on", 0},
+                  {SPH2D_PROBE_PRESSURE, "raft", {NULL, 0}, 0.1, "probes[0].on", 0},
+                  {SPH2D_PROBE_SPEED, NULL, {back, 2}, 0.1, "probes[0].path", 0},
+                  {SPH2D_PROBE_ELEVATION, NULL, {out, 2}, 0.1, "probes[0].path", 0},
+                  {SPH2D_PROBE_TRACER, NULL, {out, 1}, 0.1, "probes[0].path", 0},
+                  {SPH2D_PROBE_ENERGY, NULL, {out, 1}, 0.1, "probes[0].path", 0},
+                  {SPH2D_PROBE_TRACER, "left", {NULL, 0}, 0.1, "probes[0].on", 0},
+                  {SPH2D_PROBE_TRACER, NULL, {NULL, 0}, 2.1, "probes[0].at", 0},
+                  {SPH2D_PROBE_SPEED, "bar", {out, 1}, 0.1, "probes[0].on", 0},
+                  {SPH2D_PROBE_SPEED, NULL, {NULL, 0}, NAN, "probes[0].at", 0},
+                  {SPH2D_PROBE_TRACER, NULL, {NULL, 0}, NAN, "probes[0].at", 0},
+                  {SPH2D_PROBE_PRESSURE, NULL, {out, 1}, NAN, "probes[0].size", 0.3}};
     sph2d_obstacle bar = sph2d_obstacle_default();
     bar.name = "bar";
     bar.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{1, 0.4}, 0.12}};
@@ -241,6 +245,7 @@ START_TEST(faults_are_told)
     probes[0] = probe_of("p", faults[_i].kind, faults[_i].x, 0.1);
     probes[0].on = faults[_i].on;
     probes[0].path = faults[_i].path;
+    probes[0].size = faults[_i].size;
     ck_assert_int_eq(sph2d_scene_check(&scene, &report), SPH2D_SCENE);
     ck_assert_msg(report.count == 1 && strcmp(report.items[0].path, faults[_i].key) == 0, "%s",
                   test_report_text(&report));
@@ -257,7 +262,7 @@ Suite *suite_tracers(void)
     tcase_add_test(cases, paths_are_part_of_the_state);
     tcase_add_loop_test(cases, a_wall_takes_probes_along, 0, 2);
     tcase_add_loop_test(cases, a_probe_has_a_way, 0, 3);
-    tcase_add_loop_test(cases, faults_are_told, 0, 9);
+    tcase_add_loop_test(cases, faults_are_told, 0, 12);
     suite_add_tcase(suite, cases);
     return suite;
 }

@@ -42,6 +42,7 @@ void game_take_scene(game *g)
     style.frames.isolines = g->live.scene.run.frames.isolines;
     style.frames.follow = g->live.scene.run.frames.follow;
     style.frames.caption = SPH2D_SWITCH_ON;
+    style.recent = 4000;                               /* lines of a long game would take longer than its liquid */
     style.frames.background = SPH2D_BACKGROUND_OPAQUE; /* there is nothing behind a window's picture */
     style.frames.style = g->options->style_given ? g->options->style : style.frames.style;
     style.frames.look = g->options->look_given ? g->options->look : style.frames.look;
@@ -129,6 +130,7 @@ void game_hand(game *g, const sph2d_renderer *renderer, const play_input *input)
     game_look(g, renderer, input);
     hand_scale(&g->hand, input->scroll);
     g->hand.still = g->paused;
+    g->help = g->help && !input->left && !input->right; /* who acts wants to see */
     sph2d_vec2 at;
     if (!sph2d_renderer_locate(renderer, input->x, input->y, &at))
         return;

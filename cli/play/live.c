@@ -128,10 +128,19 @@ sph2d_status live_step(live *l, sph2d_report *report)
     return l->stopped;
 }
 
+/* Adds to the paths of tracers, as a run does. */
+static void follow_tracers(const live *l, sph2d_sim *sim)
+{
+    for (size_t k = 0; k < l->scene.probe_count; ++k)
+        if (l->scene.probes[k].kind == SPH2D_PROBE_TRACER && sph2d_sim_output_due(sim, SPH2D_OUTPUT_PROBE + k))
+            sph2d_sim_output_done(sim, SPH2D_OUTPUT_PROBE + k);
+}
+
 /* Whether the next step is due, and there is time for it; pours before it. */
 static bool is_due(void *live_, sph2d_sim *sim)
 {
     live *l = live_;
+    follow_tracers(l, sim);
     const bool due = sph2d_sim_time(sim) + 0.5 * sph2d_sim_time_step(sim) < l->due && clock_wall() < l->deadline;
     return due && nozzle_emit(&l->nozzle, &l->scene, sim) == SPH2D_OK; /* without memory the next step tells */
 }

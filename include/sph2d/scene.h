@@ -775,7 +775,7 @@ typedef struct sph2d_probe {
 
     /** Position, for kinds at a point [m]; an elevation ignores y. force: the point about which the torque is taken,
      *  which moves with an obstacle that does. tracer: that particle is followed which is nearest to it, within a spacing,
-     *  when first there is one. Default (0, 0). */
+     *  when first there is one. Default NaN: must be given for these; force: (0, 0). */
     sph2d_vec2 at;
 
     /** speed, pressure, elevation: points (t, x, y) of a way, in place of `at`: straight lines between them, at rest before

@@ -612,8 +612,8 @@ def _path_bytes(name, path, what="the name of a file"):
 
 
 def _key_text(key):
-    """A key; one that is no text is refused as an unknown one."""
-    return key if isinstance(key, str) else _shown(key)
+    """A key; one that is no text is refused as an unknown one, but for what readers of YAML 1.1 make of `on`."""
+    return key if isinstance(key, str) else "on" if key is True else _shown(key)
 
 
 def _json(value, path, indent=""):
@@ -928,7 +928,7 @@ class _Pictured:
         """Plots the liquid and the outlines of walls and bodies with Matplotlib, and returns the axes.
 
         color: the quantity that colours the particles, as of run.frames.color: "speed", the default, "vorticity",
-        "Pressures", "Densities"; None: one colour. axes: those to draw into; default None: of a new figure. options:
+        "Pressures", "Densities"; None: the colours of the liquid. axes: those to draw into; default None: of a new figure. options:
         what a collection of Matplotlib takes, cmap="magma", clim=(0, 2), alpha=0.5. Colours without a clim go from
         the 1st to the 99th percentile, as in frames. Errors: ImportError where Matplotlib is missing; ValueError for
         another quantity."""
@@ -1503,6 +1503,11 @@ def _color(name):
     return rgb.value
 
 
+def _rgb(colors):
+    """Red, green and blue, 0 to 1."""
+    return (colors.astype(np.int64)[:, None] >> np.array([16, 8, 0]) & 255) / 255
+
+
 def _tint_of(source):
     """The colour of the liquid; None where it has that of the look."""
     rgb = ctypes.c_uint32()
@@ -1605,6 +1610,10 @@ def _plot(source, color, axes, options):
         values, diverging = values[kept], _is_diverging(color)
         limits = _limits(values, diverging)
         options.setdefault("cmap", "RdBu_r" if diverging else "viridis")
+    elif fluid.color is not None:
+        options.setdefault("facecolors", _rgb(fluid.color[kept]))
+    elif _tint_of(source) is not None:
+        options.setdefault("facecolors", _rgb(np.array([_tint_of(source)])))
     if axes is None:
         axes = _plots.new_axes()
     elif not hasattr(axes, "add_collection"):

@@ -214,7 +214,8 @@ static void read_poses(const value *v, const sph2d__node *node, void *out)
 static void read_text(const value *v, const sph2d__node *node, void *slot)
 {
     if (node->kind != SPH2D__NODE_SCALAR || sph2d__node_is_null(node))
-        sph2d__convert_wrong_type(v->converter, v->key, node, v->path, "a text");
+        sph2d_diagnostic_hint(sph2d__convert_wrong_type(v->converter, v->key, node, v->path, "a text"),
+                              "write a text; one that begins with #, which begins a comment, in quotation marks");
     else
         memcpy(slot, &node->text, sizeof node->text);
 }

@@ -136,6 +136,18 @@ static const char *open_bracket(const sph2d__source *source, size_t offset)
     return depth > 0 ? open[depth - 1] : NULL;
 }
 
+/** Whether a comment behind an open bracket, in its line, has the sign that closes it: "color: #ff0000}". */
+static bool is_hidden(const char *open, line first, char close)
+{
+    const char *end = first.text + first.length;
+    for (const char *c = open + 1; c < end; ++c)
+        if (*c == '\'' || *c == '"')
+            c = skip_text(c, end);
+        else if (*c == '#' && strchr(" \t", c[-1]))
+            return memchr(c, close, (size_t)(end - c));
+    return false;
+}
+
 static bool hint_bracket(sph2d_diagnostic *d, const sph2d__source *source, size_t offset, line here)
 {
     const char *open = open_bracket(source, offset), c = source->text[offset];
@@ -151,6 +163,9 @@ static bool hint_bracket(sph2d_diagnostic *d, const sph2d__source *source, size_
     of_line(source, first, where);
     if (closes && c != close)
         sph2d_diagnostic_hint(d, "the bracket to close here is the %c%s: write %c", *open, where, close);
+    else if (is_hidden(open, first, close))
+        sph2d_diagnostic_hint(
+            d, "a # begins a comment, which hides the %c%s: write what begins with # in quotation marks", close, where);
     else if (here.text != first.text && here.indent <= first.indent)
         sph2d_diagnostic_hint(d, "close the bracket %c%s by %c, or indent this line", *open, where, close);
     else

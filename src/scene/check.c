@@ -137,7 +137,7 @@ static void check_source(checker *c, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "sources", i, ".direction"),
                            "must not be (0, 0)");
     double width = fmax(source->width, c->scene->spacing);
-    if (source->rate > width * source->speed * (1 + 1e-9)) {
+    if (source->speed > 0 && source->rate > width * source->speed * (1 + 1e-9)) {
         sph2d_diagnostic *d = sph2d__check_fault(c, SPH2D_CODE_CONFLICT, sph2d__check_path(path, "sources", i, ".rate"),
                                                  "is more than a jet of this width and speed can carry");
         sph2d_diagnostic_hint(d, "at most width * speed = %g m^2/s", width * source->speed);

@@ -2,6 +2,7 @@
 /** @file check_liquid.c
  *  Checks how the viscosity of the liquid depends on the shear rate, that the method can have it, and its colours. */
 #include <stdio.h>
+#include <string.h>
 
 #include "base/suggest.h"
 #include "scene/checker.h"
@@ -109,7 +110,7 @@ static void check_method(checker *c)
 
 static void check_color(checker *c, const char *color, const char *path)
 {
-    enum { MOST_COLORS = 64 };
+    enum { MOST_COLORS = 200 };
     uint32_t ignored;
     if (!color || sph2d_color_parse(color, &ignored))
         return;
@@ -119,7 +120,9 @@ static void check_color(checker *c, const char *color, const char *path)
     const char *names[MOST_COLORS + 1] = {NULL};
     for (size_t k = 0; k < MOST_COLORS && sph2d_color_name(k); ++k)
         names[k] = sph2d_color_name(k);
-    sph2d__suggest_word(d, color, names, "six hexadecimal digits, \"#ff8000\" in quotation marks, or one of");
+    sph2d__suggest_word(d, color, names, "");
+    if (d && strncmp(d->hint, "did", 3) != 0) /* all of them are too many */
+        sph2d_diagnostic_hint(d, "write a name of CSS, as orange, or \"#ff8000\" in quotation marks");
 }
 
 static void check_colors(checker *c)

@@ -48,10 +48,15 @@ static void check_gauge(checker *c, const sph2d_probe *probe, size_t i)
         return;
     }
     double x = half * probe->along.x / length, y = half * probe->along.y / length;
-    if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x - x, probe->at.y - y}) ||
-        !sph2d__check_in_domain(c->scene, (sph2d_vec2){probe->at.x + x, probe->at.y + y}))
-        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".size"),
-                           "the gauge's face extends beyond the domain");
+    const sph2d_path *way = &probe->path;
+    const sph2d_path_point rest = {0, probe->at.x, probe->at.y}, *places = way->count > 0 ? way->items : &rest;
+    for (size_t k = 0; k < (way->count > 0 ? way->count : 1); ++k)
+        if (!sph2d__check_in_domain(c->scene, (sph2d_vec2){places[k].x - x, places[k].y - y}) ||
+            !sph2d__check_in_domain(c->scene, (sph2d_vec2){places[k].x + x, places[k].y + y})) {
+            sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".size"),
+                               "the gauge's face extends beyond the domain");
+            return;
+        }
 }
 
 /** Reports a name that no wall has. */
@@ -213,7 +218,10 @@ void sph2d__check_probe(checker *c, size_t i)
         sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, path, "needs per_second or every");
     check_wall(c, probe, i);
     check_way(c, probe, i);
-    if (probe->path.count == 0 && !is_valid_position(c->scene, probe))
+    const bool placed = is_at_a_point(probe) || probe->kind == SPH2D_PROBE_TRACER;
+    if (placed && isnan(c->given->probes[i].at.x) && probe->path.count == 0)
+        sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "probes", i, ".at"), "must be given");
+    else if (probe->path.count == 0 && !is_valid_position(c->scene, probe))
         sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
     else
         check_gauge(c, probe, i);

@@ -72,7 +72,7 @@ sph2d_interaction sph2d_interaction_default(void)
 
 sph2d_probe sph2d_probe_default(void)
 {
-    return (sph2d_probe){.along = {0, 1}, .rise_time = NAN};
+    return (sph2d_probe){.at = {NAN, NAN}, .along = {0, 1}, .rise_time = NAN};
 }
 
 double sph2d_rate_interval(sph2d_rate rate)

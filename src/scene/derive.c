@@ -275,8 +275,8 @@ static sph2d_frames frames_of(const sph2d__world *world)
     return frames;
 }
 
-/** Gives gauges without a rise time their default. False when memory is short. */
-static bool resolve_gauges(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
+/** Gives probes what they have by default. False when memory is short. */
+static bool resolve_probes(sph2d__world *world, sph2d__arena *arena, sph2d__memory *memory)
 {
     sph2d_scene *scene = &world->scene;
     sph2d_probe *probes = sph2d__arena_alloc(arena, memory, scene->probe_count + 1, sizeof *probes);
@@ -286,6 +286,8 @@ static bool resolve_gauges(sph2d__world *world, sph2d__arena *arena, sph2d__memo
         probes[i] = scene->probes[i];
         if (probes[i].kind == SPH2D_PROBE_PRESSURE && isnan(probes[i].rise_time))
             probes[i].rise_time = rise_time_of_gauges(world);
+        if (isnan(probes[i].at.x))
+            probes[i].at = (sph2d_vec2){0, 0};
     }
     scene->probes = probes;
     return true;
@@ -296,5 +298,5 @@ sph2d_status sph2d__derive(sph2d__world *world, sph2d__arena *arena, sph2d__memo
     world->derived = derived_of(world);
     world->scene.fluid.regularisation = regularisation_of(world);
     world->scene.run.frames = frames_of(world);
-    return resolve_gauges(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
+    return resolve_probes(world, arena, memory) ? SPH2D_OK : SPH2D_NOMEM;
 }

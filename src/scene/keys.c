@@ -438,7 +438,8 @@ static const sph2d_key probe_items[] = {
      .text =
          "of all liquid: energy, momentum, extent, axes, volume, level, quality of the particles; at a point: "
          "speed, pressure, elevation of the surface; of walls: force, work; body; opening; of one particle: tracer"},
-    {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .unit = "m", .default_text = "[0, 0]",
+    {"at", SPH2D_KEY_POINT, false, AT(sph2d_probe, at), ANY, .nan_is_unset = true, .unit = "m",
+     .default_text = "force [0, 0], else must be given",
      .text =
          "position, for the kinds at a point; tracer: the particle nearest to it is followed; force: the point about "
          "which the torque is taken, moving with the obstacle"},

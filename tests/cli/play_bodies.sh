@@ -104,3 +104,11 @@ case " $poured" in *' 14423100='[1-9]*) ;; *) fail "no crimson: $poured" ;; esac
 case " $poured" in *' 2851535='[1-9][0-9]*) ;; *) fail "no water: $poured" ;; esac
 case " $(played_colors played_008)" in *14423100*) fail "crimson after undo" ;; esac
 expect 0 "$SPH2D" resume played_007 -q --no-frames -s run.until=0.3
+
+# A tracer draws its path while one plays, and keeps it.
+{ cat pool.yaml && echo 'probes: [{name: leaf, kind: tracer, at: [0.5, 0.1], every: 0.02}]'; } >leaf.yaml
+play leaf.yaml
+sleep 1
+save played_009
+quit
+"$SPH2D" info played_009/snapshot_000000.h5 | grep -Eq '^ *TracerPlaces +[1-9][0-9]* values' || fail 'no path of the tracer'

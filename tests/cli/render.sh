@@ -132,6 +132,12 @@ cp $snapshot order/snapshot_000000.h5
 expect 0 "$SPH2D" render order/snapshot_000000.h5 -o order -f -q
 absent order/frame_000001.png && same order/snapshot_000000.h5 $snapshot
 
+# One snapshot is one picture where its name says so, whole or not at all.
+expect 0 "$SPH2D" render $snapshot -o alone.png -q && cmp alone.png order/frame_000000.png
+expect 73 "$SPH2D" render $snapshot -o alone.png -q && says 'exists already'
+expect 0 "$SPH2D" render $snapshot -o alone.png -q --force
+expect 64 "$SPH2D" render $snapshot $snapshot -o both.png -q && absent both.png && says '2 snapshots are no single picture'
+
 # What cannot be drawn or read.
 expect 66 "$SPH2D" render missing.h5 -o x && absent x
 expect 65 "$SPH2D" render "$TINY" -o x && absent x
