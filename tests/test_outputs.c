@@ -140,6 +140,7 @@ START_TEST(a_speed_probe_weighs_with_a_kernel)
     sph2d_probe probe = sph2d_probe_default();
     probe.name = "p";
     probe.kind = SPH2D_PROBE_SPEED;
+    probe.at = (sph2d_vec2){0, 0};
     probe.rate.every = 1;
     scene.blocks = blocks;
     scene.block_count = 2;
