@@ -373,8 +373,9 @@ demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing
 	@$(BUILD)/sph2d check examples/dam_break/scene.yaml | sed -n 's/^time */The dam break of 16,384 particles takes /p'
 	$(hush)$(BUILD)/sph2d run examples/dam_break/scene.yaml -o $(BUILD)/demo --force
 	@echo "The pictures are in $(BUILD)/demo/frames: $$(ls $(BUILD)/demo/frames | wc -l) files."
-	@! command -v ffmpeg >/dev/null || { ffmpeg -loglevel error -y -framerate 60 -i $(BUILD)/demo/frames/frame_%06d.png \
-	    -pix_fmt yuv420p $(BUILD)/demo/dam_break.mp4 && echo "The film is $(BUILD)/demo/dam_break.mp4."; }
+	@! command -v ffmpeg >/dev/null || { cd $(BUILD)/demo && ffmpeg -loglevel error -y -framerate 60 -i frames/frame_%06d.png \
+	    -pix_fmt yuv420p new.mp4 && mv new.mp4 dam_break.mp4 && echo "The film is $(BUILD)/demo/dam_break.mp4."; } || \
+	    echo 'ffmpeg made no film of them.'
 
 # The same bits are those of the usual build; others (a compiler's own wide vectors, another libm) may round otherwise.
 GOLDEN := $(if $(or $(SANITIZE),$(CLANG),$(CFLAGS)),,$(X86))

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 #include "command.h"
@@ -306,7 +307,8 @@ static bool is_picture(const char *name)
 {
     const size_t length = strlen(name);
     struct stat found;
-    return length > 4 && strcmp(name + length - 4, ".png") == 0 && (stat(name, &found) != 0 || !S_ISDIR(found.st_mode));
+    return length > 4 && strcasecmp(name + length - 4, ".png") == 0 &&
+           (stat(name, &found) != 0 || !S_ISDIR(found.st_mode));
 }
 
 static int claim_picture(const sequence *s)

@@ -4,6 +4,7 @@
 Settings of the Makefile are taken from the environment: RENDER=0 pip install ."""
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,7 +18,10 @@ class Libraries(BuildHookInterface):
         # They suit every version of Python 3, and this kind of machine; manylinux would promise that they need nothing
         # of its libraries.
         build_data["pure_python"] = False
-        build_data["tag"] = "py3-none-" + next(tag for tag in platform_tags() if tag.startswith("linux_"))
+        tag = next((tag for tag in platform_tags() if tag.startswith("linux_")), None)
+        if tag is None or shutil.which("make") is None:
+            sys.exit("sph2d: the libraries are built on Linux, by make: docs/installing.md")
+        build_data["tag"] = f"py3-none-{tag}"
         self.folder = tempfile.TemporaryDirectory()
         # A module that is used where it is has them beside it.
         to = pathlib.Path(self.root, "python/sph2d/lib") if version == "editable" else pathlib.Path(self.folder.name)

@@ -205,6 +205,7 @@ START_TEST(a_probe_has_a_way)
                              kinds[_i], k == 1 ? 0.25 : 0.1, k == 1 ? 0.25 : 0.1);
         probes[k].rise_time = 0;
     }
+    probes[0].at = (sph2d_vec2){NAN, NAN};
     probes[0].path = (sph2d_path){way, 2}; /* half of it by 0.025 s */
     scene.probe_count = 3;
     scene.gravity = (sph2d_vec2){3, -9.81}; /* so that the surface slopes */
@@ -227,22 +228,24 @@ START_TEST(faults_are_told)
         double size;
     } faults[] = {{SPH2D_PROBE_SPEED, "left", {NULL, 0}, 0.1, "probes[0].on", 0},
                   {SPH2D_PROBE_PRESSURE, "raft", {NULL, 0}, 0.1, "probes[0].on", 0},
-                  {SPH2D_PROBE_SPEED, NULL, {back, 2}, 0.1, "probes[0].path", 0},
-                  {SPH2D_PROBE_ELEVATION, NULL, {out, 2}, 0.1, "probes[0].path", 0},
-                  {SPH2D_PROBE_TRACER, NULL, {out, 1}, 0.1, "probes[0].path", 0},
-                  {SPH2D_PROBE_ENERGY, NULL, {out, 1}, 0.1, "probes[0].path", 0},
+                  {SPH2D_PROBE_SPEED, NULL, {back, 2}, NAN, "probes[0].path", 0},
+                  {SPH2D_PROBE_ELEVATION, NULL, {out, 2}, NAN, "probes[0].path", 0},
+                  {SPH2D_PROBE_TRACER, NULL, {out, 1}, NAN, "probes[0].path", 0},
+                  {SPH2D_PROBE_ENERGY, NULL, {out, 1}, NAN, "probes[0].path", 0},
                   {SPH2D_PROBE_TRACER, "left", {NULL, 0}, 0.1, "probes[0].on", 0},
                   {SPH2D_PROBE_TRACER, NULL, {NULL, 0}, 2.1, "probes[0].at", 0},
-                  {SPH2D_PROBE_SPEED, "bar", {out, 1}, 0.1, "probes[0].on", 0},
+                  {SPH2D_PROBE_SPEED, "bar", {out, 1}, NAN, "probes[0].on", 0},
                   {SPH2D_PROBE_SPEED, NULL, {NULL, 0}, NAN, "probes[0].at", 0},
                   {SPH2D_PROBE_TRACER, NULL, {NULL, 0}, NAN, "probes[0].at", 0},
+                  {SPH2D_PROBE_SPEED, NULL, {out, 1}, 0.1, "probes[0].path", 0},
                   {SPH2D_PROBE_PRESSURE, NULL, {out, 1}, NAN, "probes[0].size", 0.3}};
     sph2d_obstacle bar = sph2d_obstacle_default();
     bar.name = "bar";
     bar.shape = (sph2d_shape){.kind = SPH2D_SHAPE_CIRCLE, .circle = {{1, 0.4}, 0.12}};
     scene.obstacles = &bar;
     scene.obstacle_count = 1;
-    probes[0] = probe_of("p", faults[_i].kind, faults[_i].x, 0.1);
+    const double x = faults[_i].x;
+    probes[0] = probe_of("p", faults[_i].kind, x, isnan(x) ? x : 0.1);
     probes[0].on = faults[_i].on;
     probes[0].path = faults[_i].path;
     probes[0].size = faults[_i].size;
@@ -262,7 +265,7 @@ Suite *suite_tracers(void)
     tcase_add_test(cases, paths_are_part_of_the_state);
     tcase_add_loop_test(cases, a_wall_takes_probes_along, 0, 2);
     tcase_add_loop_test(cases, a_probe_has_a_way, 0, 3);
-    tcase_add_loop_test(cases, faults_are_told, 0, 12);
+    tcase_add_loop_test(cases, faults_are_told, 0, 13);
     suite_add_tcase(suite, cases);
     return suite;
 }

@@ -67,7 +67,7 @@ function startKeys(special) {
         else if (KEYS[name]) sph2d._page_key(KEYS[name]);
         else if (name.length === 1 && name !== 'Q') key(name);
         else return;
-        if (name === ' ' || KEYS[name]) event.preventDefault(); // neither a button nor the page's scrolling
+        if (name === ' ' || KEYS[name] || special[name]) event.preventDefault(); // neither a button nor the page's scrolling
     });
 }
 

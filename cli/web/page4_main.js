@@ -75,7 +75,13 @@ const kept = {
     prefix: 'sph2d scene ',
 
     names() {
-        return Object.keys(localStorage).filter((key) => key.startsWith(this.prefix)).map((key) => key.slice(this.prefix.length)).sort();
+        let storage = {};
+        try {
+            storage = localStorage;
+        } catch (error) { // a browser may forbid it
+            tell(`This browser keeps nothing: ${error.message}`);
+        }
+        return Object.keys(storage).filter((key) => key.startsWith(this.prefix)).map((key) => key.slice(this.prefix.length)).sort();
     },
 
     list() {

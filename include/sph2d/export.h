@@ -14,11 +14,11 @@
 /** The argument `at`, numbered from 1, is a format of printf for those from `first`: that of C, also where the system's own
  *  is older. */
 #if defined(__MINGW32__) && !defined(__clang__)
-#define SPH2D_FORMAT(at, first) __attribute__((format(gnu_printf, at, first)))
+#define SPH2D_PRINTF(at, first) __attribute__((format(gnu_printf, at, first)))
 #elif defined(__GNUC__)
-#define SPH2D_FORMAT(at, first) __attribute__((format(printf, at, first)))
+#define SPH2D_PRINTF(at, first) __attribute__((format(printf, at, first)))
 #else
-#define SPH2D_FORMAT(at, first)
+#define SPH2D_PRINTF(at, first)
 #endif
 
 #endif

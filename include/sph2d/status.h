@@ -155,10 +155,10 @@ SPH2D_API void sph2d_report_clear(sph2d_report *report);
 /** Adds a diagnostic and returns it for the caller to complete (file, line, hint ...); NULL when `report` is NULL or
  *  full. `path` may be NULL. `format` is printf's. */
 SPH2D_API sph2d_diagnostic *sph2d_report_add(sph2d_report *report, sph2d_severity severity, sph2d_code code,
-                                             const char *path, const char *format, ...) SPH2D_FORMAT(5, 6);
+                                             const char *path, const char *format, ...) SPH2D_PRINTF(5, 6);
 
 /** Sets the hint of a diagnostic; NULL is fine, so that calls can be chained on sph2d_report_add. */
-SPH2D_API void sph2d_diagnostic_hint(sph2d_diagnostic *diagnostic, const char *format, ...) SPH2D_FORMAT(2, 3);
+SPH2D_API void sph2d_diagnostic_hint(sph2d_diagnostic *diagnostic, const char *format, ...) SPH2D_PRINTF(2, 3);
 
 /** Writes one diagnostic as text: `scene.yaml:12:9: error[S104]: message`, then the source line with a caret and the
  *  hint, each on its own line, without a final newline. Works like snprintf: returns the length it needs. */

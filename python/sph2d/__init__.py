@@ -1246,7 +1246,7 @@ class Simulation(_Pictured, _Owner):
 
     def probe(self, which: Union[str, Number]) -> Dict[str, float]:
         """Evaluates a probe of the scene now, by name or number: a dict from its columns, "pressure [Pa]", to values,
-        NaN for those that are not defined. Errors: KeyError, IndexError; Error with status NOMEM."""
+        NaN for those that are not defined; impulses are those since the last row of series(). Errors: KeyError, IndexError; Error with status NOMEM."""
         index = self._index(which, "probes")
         return dict(zip(self._columns(index), self._evaluate(index)))
 

@@ -225,6 +225,8 @@ bool sph2d__quantity_advice(const char *text, const char *wanted, char *advice, 
     }
     while (*rest == ' ')
         ++rest;
+    if ((*rest == 'x' && rest > text) || (*rest == '/' && rest[1] >= '0' && rest[1] <= '9'))
+        return false; /* 0x10 or 1/2, not a number with a unit */
     unit given, asked;
     const bool known = read_unit(wanted, &asked), readable = read_unit(rest, &given);
     const bool same = known && readable && memcmp(given.exponents, asked.exponents, sizeof given.exponents) == 0;

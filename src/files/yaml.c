@@ -213,7 +213,7 @@ static void report_syntax(builder *b, struct fy_diag *diag)
             offset = innermost->place.offset;
         sph2d_diagnostic *d = sph2d__fault(b->faults, SPH2D_CODE_SYNTAX, place_at(b, offset), NULL, "%s", message);
         if (open)
-            sph2d_diagnostic_hint(d, "close it by %c", b->source->text[offset] == '[' ? ']' : '}');
+            sph2d__yaml_hint_open(d, b->source, offset);
         else
             sph2d__yaml_hint(d, b->source, offset, message);
         b->status = SPH2D_SCENE;

@@ -148,6 +148,26 @@ static bool is_hidden(const char *open, line first, char close)
     return false;
 }
 
+/** Says that a comment hides what closes the bracket `open`, where one does. */
+static bool hint_hidden(sph2d_diagnostic *d, const sph2d__source *source, const char *open)
+{
+    const line first = line_of(source, (size_t)(open - source->text));
+    const char close = *open == '[' ? ']' : '}';
+    char where[32];
+    const bool hidden = is_hidden(open, first, close);
+    if (hidden)
+        sph2d_diagnostic_hint(d,
+                              "a # begins a comment, which hides the %c%s: write what begins with # in quotation marks",
+                              close, of_line(source, first, where));
+    return hidden;
+}
+
+void sph2d__yaml_hint_open(sph2d_diagnostic *d, const sph2d__source *source, size_t bracket)
+{
+    if (d && !hint_hidden(d, source, source->text + bracket))
+        sph2d_diagnostic_hint(d, "close it by %c", source->text[bracket] == '[' ? ']' : '}');
+}
+
 static bool hint_bracket(sph2d_diagnostic *d, const sph2d__source *source, size_t offset, line here)
 {
     const char *open = open_bracket(source, offset), c = source->text[offset];
@@ -163,9 +183,8 @@ static bool hint_bracket(sph2d_diagnostic *d, const sph2d__source *source, size_
     of_line(source, first, where);
     if (closes && c != close)
         sph2d_diagnostic_hint(d, "the bracket to close here is the %c%s: write %c", *open, where, close);
-    else if (is_hidden(open, first, close))
-        sph2d_diagnostic_hint(
-            d, "a # begins a comment, which hides the %c%s: write what begins with # in quotation marks", close, where);
+    else if (hint_hidden(d, source, open))
+        return true;
     else if (here.text != first.text && here.indent <= first.indent)
         sph2d_diagnostic_hint(d, "close the bracket %c%s by %c, or indent this line", *open, where, close);
     else

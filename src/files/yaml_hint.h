@@ -12,4 +12,7 @@ void sph2d__yaml_hint(sph2d_diagnostic *diagnostic, const sph2d__source *source,
 /** Adds a hint about the key or text `word` if it is one by its signs only, `until:1`, `until = 1`, `-box`; whether it did. */
 bool sph2d__yaml_hint_word(sph2d_diagnostic *diagnostic, const char *word);
 
+/** The same about a bracket that is not closed up to the end. */
+void sph2d__yaml_hint_open(sph2d_diagnostic *diagnostic, const sph2d__source *source, size_t bracket);
+
 #endif

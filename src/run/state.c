@@ -221,8 +221,10 @@ static size_t count_of(const sph2d_state *state, sph2d_group group, const char *
 /** Makes room for the places of tracers. False when memory is short. */
 static bool reserve_tracers(sph2d_sim *sim, const sph2d_state *state)
 {
-    const size_t count = sim->tracers.particles ? count_of(state, SPH2D_GROUP_RUN, "TracerProbes") : 0;
-    if (count > SIZE_MAX / (4 * sizeof(double)) || !sph2d__tracers_reserve(sim, count))
+    size_t count = sim->tracers.particles ? count_of(state, SPH2D_GROUP_RUN, "TracerProbes") : 0;
+    if (count > count_of(state, SPH2D_GROUP_RUN, "TracerPlaces") / 2)
+        count = 0; /* which is told as a wrong shape */
+    if (!sph2d__tracers_reserve(sim, count))
         return false;
     sim->tracers.count = count;
     return true;

@@ -149,6 +149,8 @@ static void check_way(checker *c, const sph2d_probe *probe, size_t i)
     sph2d__check_path(path, "probes", i, ".path");
     if (way->count == 0)
         return;
+    if (!isnan(c->given->probes[i].at.x))
+        sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "give `at` or `path`, not both");
     if (!is_at_a_point(probe)) {
         sph2d__check_fault(c, SPH2D_CODE_CONFLICT, path, "is for probes of kinds speed, pressure and elevation");
         return;
@@ -220,7 +222,12 @@ void sph2d__check_probe(checker *c, size_t i)
     check_way(c, probe, i);
     const bool placed = is_at_a_point(probe) || probe->kind == SPH2D_PROBE_TRACER;
     if (placed && isnan(c->given->probes[i].at.x) && probe->path.count == 0)
-        sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "probes", i, ".at"), "must be given");
+        sph2d_diagnostic_hint(
+            sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "probes", i, ".at"), "must be given"),
+            "the place [m], at: [x, y]%s", is_at_a_point(probe) ? "; or a `path`" : "");
+    else if (isnan(c->given->probes[i].at.x) != isnan(c->given->probes[i].at.y))
+        sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".at"),
+                           "has a number that is missing or not finite");
     else if (probe->path.count == 0 && !is_valid_position(c->scene, probe))
         sph2d__check_outside(c, sph2d__check_path(path, "probes", i, ".at"), probe->at);
     else
