@@ -225,7 +225,7 @@ void sph2d__check_probe(checker *c, size_t i)
         sph2d_diagnostic_hint(
             sph2d__check_fault(c, SPH2D_CODE_MISSING_KEY, sph2d__check_path(path, "probes", i, ".at"), "must be given"),
             "the place [m], at: [x, y]%s", is_at_a_point(probe) ? "; or a `path`" : "");
-    else if (isnan(c->given->probes[i].at.x) != isnan(c->given->probes[i].at.y))
+    else if (probe->kind != SPH2D_PROBE_ELEVATION && isnan(c->given->probes[i].at.x) != isnan(c->given->probes[i].at.y))
         sph2d__check_fault(c, SPH2D_CODE_OUT_OF_RANGE, sph2d__check_path(path, "probes", i, ".at"),
                            "has a number that is missing or not finite");
     else if (probe->path.count == 0 && !is_valid_position(c->scene, probe))

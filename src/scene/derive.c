@@ -286,8 +286,8 @@ static bool resolve_probes(sph2d__world *world, sph2d__arena *arena, sph2d__memo
         probes[i] = scene->probes[i];
         if (probes[i].kind == SPH2D_PROBE_PRESSURE && isnan(probes[i].rise_time))
             probes[i].rise_time = rise_time_of_gauges(world);
-        if (isnan(probes[i].at.x))
-            probes[i].at = (sph2d_vec2){0, 0};
+        probes[i].at.x = isnan(probes[i].at.x) ? 0 : probes[i].at.x;
+        probes[i].at.y = isnan(probes[i].at.y) ? 0 : probes[i].at.y; /* of an elevation, too, which ignores it */
     }
     scene->probes = probes;
     return true;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Long: play opens a window, follows mouse and keys, and says what is missing where it cannot.
-# shellcheck disable=SC1091
+# shellcheck disable=SC1091,SC2154
 . "$SPH2D_ROOT/tests/cli/common"
 if "$SPH2D" play "$TINY" --max-wall 1s 2>&1 | grep -q 'has no windows'; then
     expect 69 "$SPH2D" play && says libglfw3-dev

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Long: bodies that are drawn, moved and held in the window of play, and its view.
-# shellcheck disable=SC1091
+# shellcheck disable=SC1091,SC2154
 if "$SPH2D" play missing.yaml 2>&1 | grep -q 'has no windows'; then exit 77; fi
 . "$SPH2D_ROOT/tests/cli/window"
 
