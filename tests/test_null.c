@@ -135,6 +135,13 @@ START_TEST(tables_and_reports)
     sph2d_flow_context context = {.density = 1};
     flow.kind = SPH2D_FLOW_STILL;
     ck_assert_ptr_nonnull(sph2d_materials(NULL));
+    uint32_t rgb = 7;
+    const sph2d_fluid red = {.color = "red"};
+    ck_assert(!sph2d_color_parse(NULL, &rgb) && !sph2d_color_parse("red", NULL));
+    ck_assert(!sph2d_fluid_color(NULL, &rgb) && !sph2d_fluid_color(&red, NULL));
+    ck_assert_uint_eq(rgb, 7);
+    ck_assert_ptr_null(sph2d_sim_colors(NULL));
+    ck_assert_uint_eq(sph2d_sim_paths(NULL).count, 0);
     ck_assert_ptr_eq(sph2d_method_of(NULL), sph2d_method_row(0));
     NOTHING(sph2d_method_has(NULL, SPH2D_FEATURE_NONE));
     NOTHING(sph2d_key_accepts(NULL, 1, text, sizeof text));
