@@ -10,23 +10,6 @@
 
 /* ---- at a point: velocity, pressure ------------------------------------------------------------------------------ */
 
-sph2d_vec2 sph2d__probe_place(const sph2d_sim *sim, const sph2d_probe *probe, sph2d_vec2 *along)
-{
-    const sph2d_path *path = &probe->path;
-    sph2d_vec2 at = probe->at;
-    *along = probe->along;
-    if (path->count > 0) {
-        const double first = path->items[0].t, last = path->items[path->count - 1].t;
-        sph2d__path_at(path, fmin(fmax(sim->record.time, first), last), &at);
-    } else if (probe->on) {
-        const sph2d__wall *wall = &sim->world.walls[sph2d__wall_named(&sim->world, probe->on)];
-        const sph2d__pose pose = sph2d__sim_pose_of(sim, wall);
-        at = sph2d__pose_apply(&pose, at);
-        *along = sph2d__pose_turn(&pose, *along);
-    }
-    return at;
-}
-
 static void sample(const sph2d_sim *sim, const sph2d_probe *probe, sph2d_sample *out)
 {
     sph2d_vec2 along;

@@ -76,8 +76,9 @@ static size_t list_arrays(sph2d_sim *sim, sph2d__lent out[STATE_ARRAYS])
         out[n++] =
             run_array("TracerParticles", "of each probe: id of the particle that a tracer follows, plus 1; 0: none",
                       SPH2D_U64, sim->world.scene.probe_count, t->particles);
-        out[n++] = run_array("TracerPlaces", "x and y where outputs found the particles of tracers", SPH2D_F64,
-                             2 * t->count, t->places);
+        out[n] = run_array("TracerPlaces", "x and y where outputs found the particles of tracers", SPH2D_F64,
+                           2 * t->count, t->places);
+        out[n++].array.unit[0] = 1;
         out[n++] =
             run_array("TracerProbes", "number of the probe of each of these places", SPH2D_U64, t->count, t->probes);
     }

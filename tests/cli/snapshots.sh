@@ -32,7 +32,9 @@ cat >channel.yaml <<'END'
 domain: {min: [0, 0], max: [0.6, 0.4]}
 spacing: 0.02
 blocks:
-  - box: {min: [0, 0], max: [0.6, 0.2]}
+  - {box: {min: [0, 0], max: [0.6, 0.2]}, color: teal}
+probes:
+  - {name: leaf, kind: tracer, at: [0.1, 0.1], every: 0.01}
 openings:
   - {name: inlet, side: left, from: 0, to: 0.3, flow_rate: 0.02, free_surface: on}
   - {name: outlet, side: right, from: 0, to: 0.3, level: 0.2}

@@ -30,7 +30,8 @@ def addresses(thing):
 
 def as_one(sim):
     """What a simulation is: its bits."""
-    return [getattr(sim.fluid, name).tobytes() for name in sph2d.Particles.__slots__] + [sim.summary(), sim.time_step]
+    arrays = (getattr(sim.fluid, name) for name in sph2d.Particles.__slots__)
+    return [None if array is None else array.tobytes() for array in arrays] + [sim.summary(), sim.time_step]
 
 
 class Labelled(sph2d.Simulation):

@@ -31,12 +31,13 @@ def arrays_of(sim):
 
 class Views(unittest.TestCase):
     def test_nothing_is_copied(self):
-        sim = sph2d.Simulation(tank())
+        sim = sph2d.Simulation(tank(fluid={"color": "teal"}))
         view = sph2d._CORE.sph2d_sim_fluid(sim._sim)
         for name in sph2d.Particles.__slots__:
             array = getattr(sim.fluid, name)
-            self.assertEqual(array.ctypes.data, getattr(view, name), name)
-            self.assertEqual((array.shape, array.dtype), ((96,), np.uint64 if name == "id" else np.float64))
+            address = sph2d._CORE.sph2d_sim_colors(sim._sim) if name == "color" else getattr(view, name)
+            self.assertEqual(array.ctypes.data, address, name)
+            self.assertEqual((array.shape, array.dtype), ((96,), np.uint64 if name in ("id", "color") else np.float64))
         self.assertTrue(np.shares_memory(sim.fluid.x, sim.field("Coordinates")[0]))
         self.assertTrue(np.shares_memory(sim.walls.y, sim.field("Coordinates", "wall")[1]))
         self.assertEqual(len(sim.fluid), 96)
@@ -101,7 +102,7 @@ class Views(unittest.TestCase):
             np.testing.assert_array_equal(array, value)
 
     def test_after_close(self):
-        sim = sph2d.Simulation(tank())
+        sim = sph2d.Simulation(tank(fluid={"color": "teal"}))
         sim.run_to(0.05)
         views, field = sim.fluid, sim.field("Masses")
         copies = {name: getattr(views, name).copy() for name in sph2d.Particles.__slots__}
