@@ -101,6 +101,7 @@
     X(outputs)                                                                                                         \
     X(sample)                                                                                                          \
     X(probes)                                                                                                          \
+    X(elementary)                                                                                                      \
     X(elevation)                                                                                                       \
     X(gauge)                                                                                                           \
     X(loads)                                                                                                           \

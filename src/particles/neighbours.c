@@ -3,7 +3,7 @@
  *  Memory of the neighbour lists. */
 #include "particles/neighbours.h"
 
-enum { GRADIENTS = 2, BLOCKS = 5 };
+enum { GRADIENTS = 2, BLOCKS = 4 };
 
 /** The blocks, and the items of each per slab. */
 static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[BLOCKS], size_t items[BLOCKS])
@@ -11,10 +11,9 @@ static void list_blocks(sph2d__neighbours *n, size_t each, sph2d__growth blocks[
     const sph2d__growth all[BLOCKS] = {{&n->slices, sizeof *n->slices},
                                        {&n->index, sizeof *n->index},
                                        {&n->gradient, sizeof *n->gradient},
-                                       {&n->found, sizeof *n->found},
-                                       {&n->sums, sizeof *n->sums}};
+                                       {&n->found, sizeof *n->found}};
     const size_t lengths[BLOCKS] = {SPH2D__SLAB / SPH2D__NARROWEST, each * SPH2D__SLAB, each * SPH2D__SLAB,
-                                    4 * each * SPH2D__WIDEST, 1};
+                                    4 * each * SPH2D__WIDEST};
     for (int k = 0; k < BLOCKS; ++k) {
         blocks[k] = all[k];
         items[k] = lengths[k];
@@ -48,23 +47,8 @@ void sph2d__neighbours_free(sph2d__neighbours *n, sph2d__memory *memory)
     size_t lengths[BLOCKS], slabs = sph2d__slabs(n->particles);
     sph2d__growth blocks[BLOCKS];
     list_blocks(n, n->each, blocks, lengths);
-    void *all[BLOCKS] = {n->slices, n->index, n->gradient, n->found, n->sums};
+    void *all[BLOCKS] = {n->slices, n->index, n->gradient, n->found};
     for (int k = 0; k < BLOCKS; ++k)
         sph2d__release(memory, &all[k], all[k] ? slabs * lengths[k] : 0, blocks[k].size);
     *n = (sph2d__neighbours){0};
-}
-
-sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t slabs)
-{
-    sph2d__slab_sum total = {0};
-    for (size_t k = 0; k < slabs; ++k) {
-        total.first += n->sums[k].first;
-        total.second += n->sums[k].second;
-        total.third += n->sums[k].third;
-        total.fourth += n->sums[k].fourth;
-        total.x += n->sums[k].x;
-        total.y += n->sums[k].y;
-        total.most = n->sums[k].most > total.most ? n->sums[k].most : total.most;
-    }
-    return total;
 }

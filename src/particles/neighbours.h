@@ -26,13 +26,6 @@ enum { SPH2D__SLAB = 256 };
 /** Lanes of the narrowest and the widest instruction set. */
 enum { SPH2D__NARROWEST = 2, SPH2D__WIDEST = 8 };
 
-/** Partial sums of a loop over the particles of a slab. */
-typedef struct sph2d__slab_sum {
-    double first, second, third, fourth; /**< sums */
-    double x, y;                         /**< of a vector */
-    double most;                         /**< a maximum, at least 0 */
-} sph2d__slab_sum;
-
 /** The pairs of a slice. A slot has one pair of each of its particles. */
 typedef struct sph2d__slice {
     size_t begin;   /**< first pair of the first slot */
@@ -45,9 +38,8 @@ typedef struct sph2d__neighbours {
     uint32_t *index;  /**< of each pair: the other particle */
     double *gradient; /**< of each pair: a kernel gradient, two floats (lanes.h); NULL if not asked for */
     uint32_t *found;  /**< of each slab: buffer for the search of a slice's neighbours, `longest` for each particle */
-    sph2d__slab_sum *sums; /**< of each slab: partial sums, so that sums always have the same order */
-    size_t particles;      /**< capacity */
-    size_t each;           /**< capacity in pairs per particle, on average over a slab */
+    size_t particles; /**< capacity */
+    size_t each;      /**< capacity in pairs per particle, on average over a slab */
     size_t lanes; /**< particles of a slice, and the stride from slot to slot: as in the loops that filled it last. The
                      instruction set does not determine it, as compiler flags may widen all of them */
 } sph2d__neighbours;
@@ -69,8 +61,5 @@ static inline size_t sph2d__slabs(size_t particles)
 {
     return (particles + SPH2D__SLAB - 1) / SPH2D__SLAB;
 }
-
-/** The total of the slabs' partial sums, added from the first to the last. */
-sph2d__slab_sum sph2d__neighbours_total(const sph2d__neighbours *n, size_t slabs);
 
 #endif

@@ -12,6 +12,7 @@
  *  half the speed. So the default rate is twice as large there: 16 % of a wave came back from 1.3 wavelengths, now 5 %. */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "run/run.h"
 #include "scene/openings.h"
 
@@ -46,7 +47,7 @@ static double damp(const layer *l, sph2d__store *f, double dt)
         if (!(s > 0) || (s > 1 && !l->both))
             continue;
         s = fmin(s, 1);
-        double keep = exp(-l->rate * s * s * dt), v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
+        double keep = sph2d__exp(-l->rate * s * s * dt), v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
         if (l->both || !l->across)
             f->vx[i] *= keep;
         if (l->both || l->across)

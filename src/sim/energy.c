@@ -7,28 +7,24 @@
 #include "methods/common/state_equation.h"
 #include "methods/terms/tension.h"
 #include "scene/method_table.h"
+#include "sim/balance.h"
 #include "sim/simulation.h"
 
-/* Four sums side by side, as additions of one wait for each other. */
+static void sum_motion(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sph2d__add_energy(s, i, 0, sum);
+}
+
 double sph2d__sim_energy_of_all(const sph2d_sim *sim)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    const sph2d__forces *forces = &sim->system.forces;
-    enum { SIDE_BY_SIDE = 4 };
-    double sums[SIDE_BY_SIDE] = {0};
-    size_t i = 0;
-    for (; i + SIDE_BY_SIDE <= f->count; i += SIDE_BY_SIDE)
-        for (size_t k = 0; k < SIDE_BY_SIDE; ++k)
-            sums[k] += (f->vx[i + k] * f->vx[i + k] + f->vy[i + k] * f->vy[i + k]) / 2 +
-                       sph2d__forces_potential(forces, f->x[i + k], f->y[i + k]);
-    for (; i < f->count; ++i)
-        sums[0] += (f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i]) / 2 + sph2d__forces_potential(forces, f->x[i], f->y[i]);
-    return sim->system.mass * ((sums[0] + sums[1]) + (sums[2] + sums[3]));
+    return sim->system.mass * sph2d__sum_fluid(&sim->system, sum_motion, NULL).second;
 }
 
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)
 {
-    return sim->system.mass * ((vx * vx + vy * vy) / 2 + sph2d__forces_potential(&sim->system.forces, x, y));
+    return sim->system.mass * sph2d__energy_at(&sim->system, x, y, vx, vy);
 }
 
 double sph2d__sim_elastic_of(const sph2d_sim *sim, size_t i)
@@ -43,28 +39,26 @@ bool sph2d__sim_elastic_falls(const sph2d_sim *sim)
     return sph2d__method_row_of(&sim->system.method)->free_compression;
 }
 
+static void sum_energy(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const sph2d_sim *sim = with;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sph2d__add_energy(s, i, sph2d__sim_elastic_of(sim, i), sum);
+}
+
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    double m = sim->system.mass, kinetic = 0, total = 0, px = 0, py = 0, speed2 = 0, elastic = 0;
-    for (size_t i = 0; i < f->count; ++i) {
-        double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
-        kinetic += v2 / 2;
-        total += sph2d__sim_energy_of(sim, f->x[i], f->y[i], f->vx[i], f->vy[i]);
-        elastic += sph2d__sim_elastic_of(sim, i);
-        px += f->vx[i];
-        py += f->vy[i];
-        speed2 = v2 > speed2 ? v2 : speed2;
-    }
-    out->kinetic = m * kinetic;
-    out->potential = total - m * kinetic;
+    const sph2d__slab_sum sum = sph2d__sum_fluid(&sim->system, sum_energy, sim);
+    const double m = sim->system.mass;
+    out->kinetic = m * sum.first;
+    out->potential = m * sum.second - m * sum.first;
     if (sim->system.surface_tension > 0)
         out->potential += sph2d__sim_is_broken(sim) ? NAN : sph2d__tension_energy(&sim->system);
     out->bodies = sph2d__bodies_energy(sim);
-    out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * elastic, sim->record.energy_elastic) : m * elastic;
-    out->momentum[0] = m * px;
-    out->momentum[1] = m * py;
-    out->speed_max = sqrt(speed2);
+    out->elastic = sph2d__sim_elastic_falls(sim) ? fmin(m * sum.third, sim->record.energy_elastic) : m * sum.third;
+    out->momentum[0] = m * sum.x;
+    out->momentum[1] = m * sum.y;
+    out->speed_max = sqrt(sum.most);
 }
 
 double sph2d__sim_fall_energy(const sph2d_sim *sim)

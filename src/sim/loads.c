@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "methods/terms/tension.h"
 #include "scene/world.h"
+#include "sim/balance.h"
 #include "sim/simulation.h"
 
 /* ---- which wall -------------------------------------------------------------------------------------------------- */
@@ -195,41 +196,37 @@ static void sum_walls(const sph2d_sim *sim, size_t index, double kept)
     }
 }
 
-/** Adds the push of a side on a particle: [m/s^2] away from the side. */
-static void add_side(const sph2d_sim *sim, const sph2d__load *load, sph2d__pull *to, const double push[4], double x,
-                     double y)
+/** What the forces of sides are summed up for. */
+typedef struct side_load {
+    const sph2d_sim *sim;
+    sph2d__side_load on;
+} side_load;
+
+static void sum_side_forces(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    double m = sim->system.mass;
-    sph2d_vec2 arm = {x - load->about.x, y - load->about.y};
-    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-        if (push[side] != 0 && matches(load->wall, side)) {
-            double force = (side & 1 ? m : -m) * push[side];
-            add_pull(to, arm, side < 2 ? force : 0, side < 2 ? 0 : force);
-        }
+    const side_load *load = with;
+    for (size_t i = slab->first; i < slab->last; ++i) {
+        double fill[4] = {0, 0, 0, 0};
+        if (load->sim->method->side_push)
+            load->sim->method->side_push(s, i, fill);
+        sph2d__add_sides(s, &load->on, i, fill, sum);
+    }
 }
 
 /** Sums over the particles near spring walls, and sides by what is imagined behind them. */
 static void sum_sides(const sph2d_sim *sim, size_t index)
 {
     const sph2d__system *s = &sim->system;
-    const sph2d__store *f = &s->fluid;
-    const sph2d__springs *w = &s->forces.springs;
     const sph2d__load *load = &sim->loads.items[index];
-    if (!(w->stiffness > 0 || sim->method->side_push) || load->wall >= SPH2D__WALL_OBSTACLE)
+    sph2d__load_state *state = &sim->loads.states[index];
+    if (!(s->forces.springs.stiffness > 0 || sim->method->side_push) || load->wall >= SPH2D__WALL_OBSTACLE)
         return;
-    for (size_t i = 0; i < f->count; ++i) {
-        const double d[4] = {f->x[i] - w->left, w->right - f->x[i], f->y[i] - w->bottom, w->top - f->y[i]};
-        if (!sim->method->side_push && fmin(fmin(d[0], d[1]), fmin(d[2], d[3])) >= s->support)
-            continue;
-        const double out[4] = {f->vx[i], -f->vx[i], f->vy[i], -f->vy[i]};
-        double spring[4], fill[4] = {0, 0, 0, 0};
-        for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
-            spring[side] = sph2d__spring_force(w, d[side], out[side]);
-        if (sim->method->side_push)
-            sim->method->side_push(s, i, fill);
-        add_side(sim, load, &sim->loads.states[index].springs, spring, f->x[i], f->y[i]);
-        add_side(sim, load, &sim->loads.states[index].pressure, fill, f->x[i], f->y[i]);
-    }
+    const side_load with = {sim, {load->wall, load->about}};
+    const sph2d__slab_sum sum = sph2d__sum_fluid(s, sum_side_forces, &with);
+    state->springs = (sph2d__pull){s->mass * sum.first, s->mass * sum.second, s->mass * sum.third};
+    state->pressure.x += s->mass * sum.x;
+    state->pressure.y += s->mass * sum.y;
+    state->pressure.torque += s->mass * sum.fourth;
 }
 
 void sph2d__loads_find(sph2d_sim *sim, double kept)

@@ -15,7 +15,7 @@
  *  step alone. Particles that openings hold have forces that are not known, and so have walls of fitted operators. */
 #include <math.h>
 
-#include "forces/forces.h"
+#include "sim/balance.h"
 #include "sim/simulation.h"
 
 enum { WATCH_STEPS = 8 };
@@ -46,22 +46,22 @@ typedef struct sums {
     double moved;               /**< [kg/s] */
 } sums;
 
+static void sum_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const sph2d__forces *external = with;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sph2d__add_momentum(s, external, i, sum);
+}
+
 static sums sum(const sph2d_sim *sim, sph2d_vec2 gravity)
 {
-    const sph2d__store *f = &sim->system.fluid;
     sph2d__forces external = sim->system.forces;
     external.springs.stiffness = 0; /* which are walls */
     external.gravity.x = gravity.x;
     external.gravity.y = gravity.y;
-    sums s = {0};
-    for (size_t i = 0; i < f->count; ++i) {
-        s.momentum.x += f->vx[i];
-        s.momentum.y += f->vy[i];
-        s.moved += sqrt(f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i]);
-        sph2d__forces_add(&external, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &s.force.x, &s.force.y);
-    }
+    const sph2d__slab_sum s = sph2d__sum_fluid(&sim->system, sum_slab, &external);
     const double m = sim->system.mass;
-    return (sums){{m * s.momentum.x, m * s.momentum.y}, {m * s.force.x, m * s.force.y}, m * s.moved};
+    return (sums){{m * s.x, m * s.y}, {m * s.first, m * s.second}, m * s.third};
 }
 
 /* The forces of the start of a step are those of the last evaluation: of the walls as loads have them, which so count

@@ -21,6 +21,7 @@
 #include <math.h>
 
 #include "methods/common/state_equation.h"
+#include "sim/balance.h"
 #include "sim/simulation.h"
 
 /* Most and fewest steps between samples of friction and diffusion, each of which costs the sums of another step. Between
@@ -106,18 +107,18 @@ double sph2d__sim_book_wall_work(sph2d_sim *sim, double dt)
 
 /* ---- forces ------------------------------------------------------------------------------------------------------ */
 
+static void sum_power(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+{
+    const sph2d__work_kind *kind = with;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sph2d__add_power(s, *kind, i, sum);
+}
+
 /** Power of the forces without a potential whose work is of a kind [W/m]. */
 static double power_of(const sph2d_sim *sim, sph2d__work_kind kind)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    const sph2d__forces *forces = &sim->system.forces;
-    double power = 0;
-    for (size_t i = 0; i < f->count && sph2d__forces_drive_at_all(forces, kind); ++i) {
-        double ax = 0, ay = 0;
-        sph2d__forces_drive(forces, kind, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &ax, &ay);
-        power += f->vx[i] * ax + f->vy[i] * ay;
-    }
-    return sim->system.mass * power;
+    const sph2d__system *s = &sim->system;
+    return sph2d__forces_drive_at_all(&s->forces, kind) ? s->mass * sph2d__sum_fluid(s, sum_power, &kind).first : 0;
 }
 
 double sph2d__sim_power_of_forces(const sph2d_sim *sim)
@@ -189,27 +190,22 @@ static bool evaluate_reversed(sph2d_sim *sim)
     return ok;
 }
 
-static double dot_accelerations(const sph2d__store *f)
+static void sum_work(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    double sum = 0;
-    for (size_t i = 0; i < f->count; ++i)
-        sum += f->vx[i] * f->ax[i] + f->vy[i] * f->ay[i];
-    return sum;
+    (void)with;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        sph2d__add_work(s, i, sum);
 }
 
-/** Power of what of the forces is odd in velocity, which the table of forces books by itself. */
-static double odd_power(const sph2d__system *s)
+/** Power of the accelerations, and of what of the forces is odd in velocity, which the table of forces books by itself [W/m]. */
+typedef struct powers {
+    double all, odd;
+} powers;
+
+static powers powers_of_all(const sph2d__system *s)
 {
-    const sph2d__store *f = &s->fluid;
-    double power = 0;
-    for (size_t i = 0; i < f->count && sph2d__forces_vary(&s->forces); ++i) {
-        double forward[2] = {0, 0}, reversed[2] = {0, 0};
-        sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &forward[0], &forward[1]);
-        sph2d__forces_add(&s->forces, (sph2d__place){f->x[i], f->y[i], -f->vx[i], -f->vy[i]}, &reversed[0],
-                          &reversed[1]);
-        power += f->vx[i] * (forward[0] - reversed[0]) / 2 + f->vy[i] * (forward[1] - reversed[1]) / 2;
-    }
-    return s->mass * power;
+    const sph2d__slab_sum sum = sph2d__sum_fluid(s, sum_work, NULL);
+    return (powers){s->mass * sum.first, s->mass * sum.second};
 }
 
 static void swap(double **a, double **b)
@@ -230,17 +226,17 @@ static void swap_accelerations(sph2d__store *f)
 static bool find_viscous_power(sph2d_sim *sim, double *power)
 {
     sph2d__system *s = &sim->system;
-    double forward = dot_accelerations(&s->fluid);
+    double forward = powers_of_all(s).all;
     swap_accelerations(&s->fluid);
     bool ok = true;
     if (sim->openings.count > 0) { /* a step has set the accelerations in reservoirs to 0 */
         ok = sim->method->evaluate(s);
-        forward = dot_accelerations(&s->fluid);
+        forward = powers_of_all(s).all;
     }
     ok = evaluate_reversed(sim) && ok;
-    double reversed = dot_accelerations(&s->fluid);
+    const powers reversed = powers_of_all(s);
     swap_accelerations(&s->fluid);
-    *power = s->mass * (forward - reversed) / 2 - odd_power(s) + power_of(sim, SPH2D__LOSS);
+    *power = (forward - reversed.all) / 2 - reversed.odd + power_of(sim, SPH2D__LOSS);
     return ok;
 }
 
@@ -275,7 +271,7 @@ bool sph2d__sim_book_fitted(sph2d_sim *sim, double dt)
     sum_rates(sim, &forward, &there);
     double span = r->time + dt - r->booked_time;
     r->energy_diffused -= integrate(&r->power_diffusion, (s->mass * back + s->mass * there) / 2, span);
-    const double viscous = s->mass * (forward - reversed) / 2 - odd_power(s) + power_of(sim, SPH2D__LOSS);
+    const double viscous = s->mass * (forward - reversed) / 2 - powers_of_all(s).odd + power_of(sim, SPH2D__LOSS);
     r->energy_viscous -= integrate(&r->power_viscous, viscous, span);
     return true;
 }

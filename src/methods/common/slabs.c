@@ -12,41 +12,65 @@ static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
     return (sph2d__slab){rows, walls, first, last < rows->count ? last : rows->count};
 }
 
-/* The fewest slabs that are shared among threads. */
-enum { MIN_SLABS = 4 };
+/* The fewest slabs that are shared among threads, and the most whose sums wait at a time to be added in their order. */
+enum { MIN_SLABS = 4, ROUND = 1024 };
 
-/** Work on slabs: `fluid` of the fluid, then `walls` of the boundary particles. */
-static sph2d__slab_sum over(sph2d__system *s, size_t fluid, size_t walls, sph2d__slab_work *work, const void *with)
+static void add(sph2d__slab_sum *total, const sph2d__slab_sum *sum)
 {
-    size_t slabs = fluid + walls;
-#pragma omp taskloop num_tasks(sph2d__tasks(slabs, 1)) if (slabs >= MIN_SLABS) firstprivate(work)
-    for (size_t k = 0; k < slabs; ++k) {
-        sph2d__slab slab = k < fluid ? slab_of(&s->fluid, false, k) : slab_of(&s->walls, true, k - fluid);
+    total->first += sum->first;
+    total->second += sum->second;
+    total->third += sum->third;
+    total->fourth += sum->fourth;
+    total->x += sum->x;
+    total->y += sum->y;
+    total->most = sum->most > total->most ? sum->most : total->most;
+}
+
+/** Work on slabs `from` to `to` - 1 of a store. */
+static void over_round(sph2d__system *s, bool walls, size_t from, size_t to, sph2d__slab_work *work, const void *with,
+                       sph2d__slab_sum *total)
+{
+    sph2d__slab_sum sums[ROUND], *all = sums;
+#pragma omp taskloop num_tasks(sph2d__tasks(to - from, 1)) if (to - from >= MIN_SLABS) firstprivate(work, all)
+    for (size_t k = from; k < to; ++k) {
+        const sph2d__slab slab = slab_of(walls ? &s->walls : &s->fluid, walls, k);
         sph2d__slab_sum sum = {0}; /* local while it is added to: adjacent sums share a cache line */
         work(s, &slab, with, &sum);
-        *(k < fluid ? &s->neighbours.sums[k] : &s->wall_neighbours.sums[k - fluid]) = sum;
+        all[k - from] = sum;
     }
-    sph2d__slab_sum total = sph2d__neighbours_total(&s->neighbours, fluid);
-    sph2d__slab_sum of_walls = sph2d__neighbours_total(&s->wall_neighbours, walls);
-    total.first += of_walls.first;
-    total.second += of_walls.second;
-    total.third += of_walls.third;
-    total.fourth += of_walls.fourth;
-    total.x += of_walls.x;
-    total.y += of_walls.y;
-    total.most = of_walls.most > total.most ? of_walls.most : total.most;
+    for (size_t k = from; k < to; ++k)
+        add(total, &sums[k - from]);
+}
+
+/** Work on all slabs of a store. */
+static sph2d__slab_sum over(sph2d__system *s, bool walls, sph2d__slab_work *work, const void *with)
+{
+    const size_t slabs = sph2d__slabs(walls ? s->walls.count : s->fluid.count);
+    sph2d__slab_sum total = {0};
+    for (size_t from = 0; from < slabs; from += ROUND)
+        over_round(s, walls, from, slabs - from < ROUND ? slabs : from + ROUND, work, with, &total);
     return total;
 }
 
 sph2d__slab_sum sph2d__over_fluid(sph2d__system *s, sph2d__slab_work *work, const void *with)
 {
-    return over(s, sph2d__slabs(s->fluid.count), 0, work, with);
+    return over(s, false, work, with);
+}
+
+sph2d__slab_sum sph2d__sum_fluid(const sph2d__system *s, sph2d__slab_work *work, const void *with)
+{
+    sph2d__system same = *s;
+    return over(&same, false, work, with);
 }
 
 sph2d__slab_sum sph2d__over_rows(sph2d__system *s, sph2d__slab_work *work, const void *with)
 {
-    size_t walls = s->walls_press ? sph2d__slabs(s->walls.count) : 0;
-    return over(s, sph2d__slabs(s->fluid.count), walls, work, with);
+    sph2d__slab_sum total = over(s, false, work, with);
+    if (s->walls_press) {
+        const sph2d__slab_sum of_walls = over(s, true, work, with);
+        add(&total, &of_walls);
+    }
+    return total;
 }
 
 static void over_slab(sph2d__system *s, size_t k, size_t count, sph2d__span_work *work)

@@ -9,6 +9,13 @@
 
 #include "methods/common/system.h"
 
+/** Partial sums of a loop over the particles of a slab. */
+typedef struct sph2d__slab_sum {
+    double first, second, third, fourth; /**< sums */
+    double x, y;                         /**< of a vector */
+    double most;                         /**< a maximum, at least 0 */
+} sph2d__slab_sum;
+
 /** Particles `first` to `last` - 1 of a store. */
 typedef struct sph2d__slab {
     sph2d__store *rows;
@@ -21,6 +28,9 @@ typedef void sph2d__slab_work(sph2d__system *system, const sph2d__slab *slab, co
 
 /** Calls `work` on every slab of the fluid; returns the total of the sums. */
 sph2d__slab_sum sph2d__over_fluid(sph2d__system *system, sph2d__slab_work *work, const void *with);
+
+/** The same for work that only sums: the system stays as it is. */
+sph2d__slab_sum sph2d__sum_fluid(const sph2d__system *system, sph2d__slab_work *work, const void *with);
 
 /** The same, and on every slab of the boundary particles if some exert pressure. */
 sph2d__slab_sum sph2d__over_rows(sph2d__system *system, sph2d__slab_work *work, const void *with);

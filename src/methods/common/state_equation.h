@@ -15,6 +15,7 @@
 
 #include <math.h>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "methods/common/system.h"
 
@@ -29,7 +30,7 @@ static inline double sph2d__pressure_of(const sph2d__system *s, double density)
 {
     double c2 = s->sound_speed * s->sound_speed;
     if (sph2d__is_logarithmic(s))
-        return c2 * density * log(density / s->rest_density);
+        return c2 * density * sph2d__log(density / s->rest_density);
     return c2 * (density - s->rest_density);
 }
 
@@ -40,7 +41,7 @@ static inline double sph2d__density_of(const sph2d__system *s, double pressure)
     if (sph2d__is_logarithmic(s)) {
         double part = fmax(pressure / (s->rest_density * c2), -0.3), x = 1 + part; /* x ln x, at least -1/e */
         for (int k = 0; k < 6; ++k)
-            x -= (x * log(x) - part) / (log(x) + 1);
+            x -= (x * sph2d__log(x) - part) / (sph2d__log(x) + 1);
         return x * s->rest_density;
     }
     return fmax(s->rest_density + pressure / c2, 1e-3 * s->rest_density);
@@ -51,10 +52,10 @@ static inline double sph2d__elastic_of(const sph2d__system *s, double density)
 {
     if (s->modulus > 0) { /* density by summation */
         double x = fmax(density / s->rest_density, 1);
-        return s->modulus * (log(x) + 1 / x - 1);
+        return s->modulus * (sph2d__log(x) + 1 / x - 1);
     }
     double x = density / s->rest_density;
-    return s->sound_speed * s->sound_speed * (log(x) + 1 / x - 1);
+    return s->sound_speed * s->sound_speed * (sph2d__log(x) + 1 / x - 1);
 }
 
 /** Sets the pressure of every fluid particle. */

@@ -19,6 +19,7 @@
 
 #include <math.h>
 
+#include "base/elementary.h"
 #include "methods/common/system.h"
 
 /** w at distance d and minus its slope [1/m]. */
@@ -31,7 +32,7 @@ static inline void sph2d__side_add(const sph2d__system *s, double d, sph2d__side
     double n = fmax(d + s->spacing / 2, 0), h2 = s->support * s->support, u = 1 - n * n / h2;
     if (!(u > 0))
         return;
-    double value = pow(u / (1 - s->spacing * s->spacing / h2), s->side_power);
+    double value = sph2d__power(u / (1 - s->spacing * s->spacing / h2), s->side_power);
     to->value += value;
     to->slope += 2 * s->side_power * n / (h2 * u) * value;
 }
