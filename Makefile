@@ -127,7 +127,7 @@ RENDER_LIBS := $(if $(WITH_RENDER),$(call pc_libs,libpng $(GL)) -lz -lm)
 VERSION := $(shell sed -n 's/^\#define SPH2D_VERSION "\(.*\)"/\1/p' include/sph2d/version.h)
 SOMAJOR := 0
 # A folder uses only those before it; the methods do not know each other.
-CORE_DIRS := base simd kernels forces scene particles flows boundary methods/common methods/terms sim start probes \
+CORE_DIRS := base device simd kernels forces scene particles flows boundary methods/common methods/terms sim start probes \
     methods/muller methods/wcsph methods/fitted methods/projection methods/hybrid methods run
 CORE_SRC := $(sort $(foreach d,$(CORE_DIRS),$(wildcard src/$(d)/*.c)))
 PASS_SRC := $(filter %_pass.c,$(CORE_SRC))
@@ -159,6 +159,9 @@ FUZZ_BIN := $(FUZZ_NAMES:%=$(BUILD)/fuzz/%)
 EXAMPLES := $(filter-out $(if $(GLFW),,examples/window.c),$(call buildable,$(sort $(wildcard examples/*.c))))
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
+# The programs of devices, each with all that it includes, and headers in place of those of C.
+PROGRAMS := $(sort $(wildcard src/methods/*/*.cl))
+PROGRAM_PARTS := $(wildcard src/*/*.cl src/device/clc/*.h src/device/clc/*/*.h)
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
@@ -179,7 +182,7 @@ objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o))
 # The solver has no files: what writes them and reads numbers in them is in the libraries that do.
 FILES_BASE_SRC := src/base/atomic_file.c src/base/number.c
-CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC) $(FILES_BASE_SRC),$(CORE_SRC))) $(PASS_OBJ)
+CORE_OBJ := $(call objects,$(filter-out $(PASS_SRC) $(FILES_BASE_SRC),$(CORE_SRC))) $(PASS_OBJ) $(OBJ)/gen/kernels.o
 # The other libraries carry their own copy of what is private in base; what base exports they take from libsph2d.
 BASE_OBJ := $(call objects,$(filter-out $(addprefix src/base/,report.c shared.c version.c),$(filter src/base/%,$(CORE_SRC))))
 IO_OBJ := $(call objects,$(IO_SRC))
@@ -344,6 +347,18 @@ $(BUILD)/gen/shaders.c: $(SHADERS) Makefile $(wildcard shaders) | $(BUILD)/gen/s
 	printf '\nconst struct sph2d__shader_source sph2d__shader_sources[] = {\n'; \
 	for f in $(SHADERS); do n=$$(basename $$f); echo "    {\"$$n\", $$(echo $$n | tr . _)},"; done; \
 	printf '    {NULL, NULL}};\nconst size_t sph2d__shader_source_count = $(words $(SHADERS));\n'; } >$@
+# A program is compiled where it runs; here the compiler puts its files together.
+cl_together = $(CC) -x c -E -P -undef -nostdinc -Dkernel=kernel_word -Isrc/device/clc -Isrc -Iinclude $(1)
+$(BUILD)/gen/kernels.c: $(PROGRAMS) $(PROGRAM_PARTS) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h) src/particles/ranges.c \
+    src/boundary/sweep.c Makefile
+	$(call say,GEN,$@)mkdir -p $(@D) && { printf '#include "device/kernels.h"\n\n'; \
+	for f in $(PROGRAMS); do \
+	    $(call cl_together,$$f) >$(@D)/$$(basename $$f) || exit 1; \
+	    echo "static const char $$(basename $$f .cl)[] = {"; $(call bytes_of,$(@D)/$$(basename $$f)); \
+	done; \
+	printf '\nconst sph2d__program sph2d__programs[] = {\n'; \
+	for f in $(PROGRAMS); do n=$$(basename $$f .cl); echo "    {\"$$n\", $$n},"; done; \
+	printf '    {0, 0}};\n'; } >$@
 $(BUILD)/gen/play_scenes.c: $(PLAY_SCENES) Makefile $(wildcard cli/play/scenes)
 	$(call say,GEN,$@)mkdir -p $(@D) && { printf '#include "play/game.h"\n\n'; \
 	for f in $(PLAY_SCENES); do \

@@ -30,6 +30,7 @@ int exit_of_status(sph2d_status status)
     case SPH2D_NOINPUT:
         return CLI_EXIT_NOINPUT;
     case SPH2D_RENDER:
+    case SPH2D_DEVICE:
         return CLI_EXIT_UNAVAILABLE;
     case SPH2D_CANTCREAT:
         return CLI_EXIT_CANTCREAT;

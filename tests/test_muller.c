@@ -13,7 +13,7 @@ static double gain_of(const sph2d_sim *sim, double density)
 {
     double place = fmin(fmax(density - 1, 0) * SPH2D__PAIR_GAINS / (SPH2D__PAIR_GAIN_TOP - 1), SPH2D__PAIR_GAINS);
     size_t k = (size_t)fmin(place, SPH2D__PAIR_GAINS - 1);
-    const double *gain = sim->system.pair_gain;
+    const double *gain = sim->system.tables->pair_gain;
     return gain[k] * ((double)k + 1 - place) + gain[k + 1] * (place - (double)k);
 }
 
@@ -273,7 +273,7 @@ START_TEST(pairs_of_a_pressed_lattice_do_the_work_that_is_told)
     liquid l = liquid_of(sph2d_sim_scene(sim));
     for (int k = 0; k <= SPH2D__PAIR_GAINS; k += 8) {
         double density = 1 + (double)k * (SPH2D__PAIR_GAIN_TOP - 1) / SPH2D__PAIR_GAINS;
-        ck_assert_double_eq_tol(sim->system.pair_gain[k] / pair_gain(&l, density), 1, 1e-6);
+        ck_assert_double_eq_tol(sim->system.tables->pair_gain[k] / pair_gain(&l, density), 1, 1e-6);
     }
     sph2d_sim_destroy(sim);
 }

@@ -24,15 +24,16 @@ START_TEST(statuses_keep_their_values_and_names)
         {SPH2D_CANTCREAT, 7, "CANTCREAT", "output cannot be created"},
         {SPH2D_IO, 8, "IO", "reading or writing failed"},
         {SPH2D_RENDER, 9, "RENDER", "rendering unavailable"},
+        {SPH2D_DEVICE, 10, "DEVICE", "a device failed"},
     };
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; ++i) {
         ck_assert_int_eq((int)expected[i].status, expected[i].value);
         ck_assert_str_eq(sph2d_status_name(expected[i].status), expected[i].name);
         ck_assert_str_eq(sph2d_status_text(expected[i].status), expected[i].text);
     }
-    ck_assert_str_eq(sph2d_status_name((sph2d_status)10), "UNKNOWN");
+    ck_assert_str_eq(sph2d_status_name((sph2d_status)11), "UNKNOWN");
     ck_assert_str_eq(sph2d_status_name((sph2d_status)-1), "UNKNOWN");
-    ck_assert_ptr_nonnull(sph2d_status_text((sph2d_status)10));
+    ck_assert_ptr_nonnull(sph2d_status_text((sph2d_status)11));
 }
 END_TEST
 
@@ -52,7 +53,7 @@ START_TEST(codes_keep_their_text)
         {SPH2D_CODE_ESCAPED, "R302"},         {SPH2D_CODE_STEP_COLLAPSE, "R303"}, {SPH2D_CODE_STEP_TOO_LARGE, "R304"},
         {SPH2D_CODE_NOT_CONVERGED, "R305"},   {SPH2D_CODE_DENSITY, "R306"},       {SPH2D_CODE_ENERGY, "R307"},
         {SPH2D_CODE_SUPERSONIC, "R308"},      {SPH2D_CODE_MOMENTUM, "R309"},      {SPH2D_CODE_GL_MISSING, "P401"},
-        {SPH2D_CODE_GL_SHADER, "P402"},       {SPH2D_CODE_GL_FAILED, "P403"},
+        {SPH2D_CODE_GL_SHADER, "P402"},       {SPH2D_CODE_GL_FAILED, "P403"},     {SPH2D_CODE_DEVICE, "D501"},
     };
     ck_assert_uint_eq(sizeof expected / sizeof expected[0], SPH2D_CODE_COUNT);
     for (size_t i = 0; i < sizeof expected / sizeof expected[0]; ++i)

@@ -24,6 +24,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "sph2d/machine.h"
 #include "sph2d/scene.h"
 
 #ifdef __cplusplus
@@ -32,21 +33,6 @@ extern "C" {
 
 /** A simulation: its scene, its particles, its clock. */
 typedef struct sph2d_sim sph2d_sim;
-
-/** The instruction set of the pair loops. Results are the same bits for any number of threads, not across sets. */
-typedef enum sph2d_isa {
-    /** The widest that the processor and this build have. */
-    SPH2D_ISA_AUTO = 0,
-
-    /** What every processor of this kind has: SSE2 on x86-64. */
-    SPH2D_ISA_BASELINE = 1,
-
-    /** AVX2 and fused multiply-add, four doubles at a time. */
-    SPH2D_ISA_AVX2 = 2,
-
-    /** AVX-512, eight doubles at a time. */
-    SPH2D_ISA_AVX512 = 3
-} sph2d_isa;
 
 /** A memory allocator. */
 typedef struct sph2d_allocator {
@@ -69,6 +55,13 @@ typedef struct sph2d_sim_options {
     /** Instruction set; default auto. */
     sph2d_isa isa;
 
+    /** The device that takes the steps, a number from 1 on in the list of sph2d_devices(); default 0: the processor. What it
+     *  cannot do is refused (sph2d_device_refuses()). */
+    int device;
+
+    /** Whether only a device is taken that makes the same bits as the processor; default false. */
+    bool same_bits;
+
     /** Memory allocator; default {NULL, NULL}: the C library's. */
     sph2d_allocator allocator;
 
@@ -78,12 +71,6 @@ typedef struct sph2d_sim_options {
 
 /** The default options. */
 SPH2D_API sph2d_sim_options sph2d_sim_options_default(void);
-
-/** Name of an instruction set, "avx2"; static storage. */
-SPH2D_API const char *sph2d_isa_name(sph2d_isa isa);
-
-/** Whether this processor and this build support it. */
-SPH2D_API bool sph2d_isa_available(sph2d_isa isa);
 
 /** Checks the scene, copies it, places its particles and evaluates the first forces. `options` and `report` may be
  *  NULL. The caller owns *sim, which is NULL after a failure. Errors: SPH2D_SCENE, SPH2D_INVALID, SPH2D_NOMEM. */
@@ -492,51 +479,6 @@ typedef struct sph2d_densities {
 
 /** The densities now. It takes the time of a few steps, and memory meanwhile. */
 SPH2D_API sph2d_densities sph2d_sim_densities(const sph2d_sim *sim);
-
-/** The phases of a step. */
-typedef enum sph2d_phase {
-    /** Kicks and drifts, and collisions with walls. */
-    SPH2D_PHASE_MOVE,
-
-    /** Cells, and sorting the particles by them. */
-    SPH2D_PHASE_SORT,
-
-    /** Sums over the liquid around boundary particles. */
-    SPH2D_PHASE_WALLS,
-
-    /** Neighbour lists of a pressure solver, and density with them. */
-    SPH2D_PHASE_SEARCH,
-
-    /** Sums over neighbours for density or its rate. */
-    SPH2D_PHASE_DENSITY,
-
-    /** Sums over neighbours for accelerations. */
-    SPH2D_PHASE_FORCES,
-
-    /** A pressure solver. */
-    SPH2D_PHASE_SOLVE,
-
-    /** Sources and drains, guards, the length of the next step, samples. */
-    SPH2D_PHASE_BOOKKEEPING,
-
-    /** The number of phases. */
-    SPH2D_PHASE_COUNT
-} sph2d_phase;
-
-/** Name of a phase, "move", "sort", ...; static storage. */
-SPH2D_API const char *sph2d_phase_name(sph2d_phase phase);
-
-/** Time of the steps by phase, since the simulation was created. */
-typedef struct sph2d_profile {
-    /** Wall time [s]. */
-    double wall[SPH2D_PHASE_COUNT];
-
-    /** CPU time of the process [s]. */
-    double cpu[SPH2D_PHASE_COUNT];
-
-    /** How often the phase was entered. */
-    uint64_t calls[SPH2D_PHASE_COUNT];
-} sph2d_profile;
 
 /** The profile so far; zeros unless the option `profile` is set. Not part of the state. */
 SPH2D_API sph2d_profile sph2d_sim_profile(const sph2d_sim *sim);

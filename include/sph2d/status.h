@@ -40,7 +40,8 @@ extern "C" {
     X(FORMAT, 6, "file content rejected")                                                                              \
     X(CANTCREAT, 7, "output cannot be created")                                                                        \
     X(IO, 8, "reading or writing failed")                                                                              \
-    X(RENDER, 9, "rendering unavailable")
+    X(RENDER, 9, "rendering unavailable")                                                                              \
+    X(DEVICE, 10, "a device failed")
 
 /** How a call ended: SPH2D_OK or a kind of error. */
 typedef enum sph2d_status {
@@ -82,7 +83,8 @@ typedef enum sph2d_status {
     X(MOMENTUM, "R309", "guard: momentum came from nothing")                                                           \
     X(GL_MISSING, "P401", "no OpenGL context of the wanted kind")                                                      \
     X(GL_SHADER, "P402", "a shader does not compile or link")                                                          \
-    X(GL_FAILED, "P403", "OpenGL refused a framebuffer or a draw")
+    X(GL_FAILED, "P403", "OpenGL refused a framebuffer or a draw")                                                     \
+    X(DEVICE, "D501", "a device, its driver or its compiler failed")
 
 /** The code of a diagnostic. */
 typedef enum sph2d_code {

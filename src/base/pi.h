@@ -4,6 +4,8 @@
 #ifndef SPH2D_BASE_PI_H
 #define SPH2D_BASE_PI_H
 
-static const double SPH2D__PI = 3.14159265358979323846;
+#include "base/address.h"
+
+SPH2D__FIXED double SPH2D__PI = 3.14159265358979323846;
 
 #endif

@@ -32,6 +32,7 @@ double sph2d__cpu_clock(void)
 #ifdef _WIN32
 
 #include <malloc.h>
+#include <string.h>
 #include <windows.h>
 
 double sph2d__machine_memory(void)
@@ -60,8 +61,22 @@ void sph2d__before_fork(void (*action)(void))
     (void)action;
 }
 
+void *sph2d__library_open(const char *name)
+{
+    return LoadLibraryA(name);
+}
+
+void *sph2d__library_symbol(void *library, const char *name)
+{
+    const FARPROC found = GetProcAddress(library, name);
+    void *symbol;
+    memcpy(&symbol, &found, sizeof symbol);
+    return symbol;
+}
+
 #else
 
+#include <dlfcn.h>
 #include <pthread.h>
 #include <unistd.h>
 
@@ -94,6 +109,16 @@ bool sph2d__on_main_thread(void)
 void sph2d__before_fork(void (*action)(void))
 {
     pthread_atfork(action, NULL, NULL);
+}
+
+void *sph2d__library_open(const char *name)
+{
+    return dlopen(name, RTLD_NOW | RTLD_LOCAL);
+}
+
+void *sph2d__library_symbol(void *library, const char *name)
+{
+    return dlsym(library, name);
 }
 
 #endif

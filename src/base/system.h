@@ -25,4 +25,8 @@ bool sph2d__on_main_thread(void);
 /** Has `action` called before each fork() from now on, where there is one. */
 void sph2d__before_fork(void (*action)(void));
 
+/** Loads a shared library, which stays loaded; NULL where there is none of that name. And one of its functions. */
+void *sph2d__library_open(const char *name);
+void *sph2d__library_symbol(void *library, const char *name);
+
 #endif

@@ -7,6 +7,7 @@
 
 #include <math.h>
 
+#include "base/address.h"
 #include "base/memory.h"
 #include "scene/shape.h"
 
@@ -31,16 +32,16 @@ typedef struct sph2d__stops {
 } sph2d__stops;
 
 typedef struct sph2d__barrier {
-    sph2d__piece *segments;
+    SPH2D__ARRAY sph2d__piece *segments;
     size_t count, capacity;
     int wall;         /**< that segments are added to now */
     double clearance; /**< distance from a wall at which a particle is stopped [m] */
     /* A grid of buckets over the segments; each lists the segments near it. */
     double origin_x, origin_y, inverse_size;
     int nx, ny;
-    uint32_t *start;     /**< nx * ny + 1 values */
-    uint32_t *items;     /**< segment indices */
-    unsigned char *near; /**< whether a bucket or one of the 8 around it has a segment */
+    SPH2D__ARRAY uint32_t *start;     /**< nx * ny + 1 values */
+    SPH2D__ARRAY uint32_t *items;     /**< segment indices */
+    SPH2D__ARRAY unsigned char *near; /**< whether a bucket or one of the 8 around it has a segment */
     size_t start_capacity, item_capacity;
 } sph2d__barrier;
 

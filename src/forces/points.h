@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "base/address.h"
 #include "forces/place.h"
 #include "sph2d/scene.h"
 
@@ -18,7 +19,7 @@ typedef struct sph2d__point_force {
 } sph2d__point_force;
 
 typedef struct sph2d__points {
-    const sph2d__point_force *items; /**< those active at present: sim/forcing.c */
+    SPH2D__ARRAY const sph2d__point_force *items; /**< those active at present: sim/forcing.c */
     size_t count;
 } sph2d__points;
 
@@ -37,7 +38,7 @@ static inline bool sph2d__points_acts(const sph2d__points *p)
 static inline void sph2d__points_add(const sph2d__points *p, sph2d__place at, double *ax, double *ay)
 {
     for (size_t k = 0; k < p->count; ++k) {
-        const sph2d__point_force *f = &p->items[k];
+        SPH2D__ARRAY const sph2d__point_force *f = &p->items[k];
         const double dx = f->x - at.x, dy = f->y - at.y, r = sqrt(dx * dx + dy * dy);
         if (!(r > 0 && r < f->radius))
             continue;

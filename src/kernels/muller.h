@@ -67,7 +67,7 @@ static inline double sph2d__spiky_lattice_stress(double support, double spacing)
     double sum = 0;
     for (int i = -reach; i <= reach; ++i)
         for (int j = -reach; j <= reach; ++j) {
-            double r = hypot(i, j) * spacing, w = fmax(support - r, 0);
+            double r = hypot((double)i, (double)j) * spacing, w = fmax(support - r, 0);
             sum += r * w * w;
         }
     return sum * sph2d__spiky_constant(support) * spacing * spacing / 4;

@@ -129,22 +129,13 @@ static size_t part(size_t count, int k, int parts)
     return count / (size_t)parts * (size_t)k + count % (size_t)parts * (size_t)k / (size_t)parts;
 }
 
-/** Finds the cell of each particle from `first` to `last` - 1, clamped against rounding, and counts the particles of
- *  each cell.
- * */
+/** Finds the cell of each particle from `first` to `last` - 1, and counts the particles of each cell. */
 static void assign_cells(sph2d__cells *cells, const sph2d__store *store, size_t first, size_t last, uint32_t *count)
 {
     const double *x = store->x, *y = store->y;
-    double ox = cells->origin_x, oy = cells->origin_y, ix = cells->inverse_x, iy = cells->inverse_y;
-    double rim_x = (double)RIM * cells->columns, last_x = cells->nx - 1.0 - rim_x, last_y = cells->ny - 1.0 - RIM;
-    uint32_t nx = cells->nx;
+    const sph2d__cells of = *cells;
     for (size_t i = first; i < last; ++i) {
-        double fx = (x[i] - ox) * ix, fy = (y[i] - oy) * iy;
-        fx = fx > rim_x ? fx : rim_x;
-        fy = fy > RIM ? fy : RIM;
-        fx = fx < last_x ? fx : last_x;
-        fy = fy < last_y ? fy : last_y;
-        uint32_t cell = (uint32_t)fy * nx + (uint32_t)fx;
+        const uint32_t cell = sph2d__cell_of(&of, x[i], y[i]);
         cells->cell[i] = cell;
         ++count[cell];
     }
@@ -216,19 +207,32 @@ static int sorters_for(size_t count)
     return worth < 1 ? 1 : worth < (size_t)most ? (int)worth : most;
 }
 
+static bool lay_and_reserve(sph2d__cells *cells, const sph2d__store *store, bounds around, double support, int sorters,
+                            size_t more, sph2d__memory *memory)
+{
+    lay_grid(cells, store->count > 0 ? around : (bounds){0, 0, 0, 0}, support, store->count);
+    const size_t cell_count = (size_t)cells->nx * cells->ny;
+    if (reserve(&cells->start, &cells->cell_capacity, cell_count + 1, memory) &&
+        reserve(&cells->places, &cells->place_capacity, cell_count * (size_t)sorters + more, memory) &&
+        reserve_particles(cells, store->capacity, memory))
+        return true;
+    cells->nx = cells->ny = 0; /* the grid is not filled */
+    return false;
+}
+
+bool sph2d__cells_lay(sph2d__cells *cells, const sph2d__store *store, const double around[4], double support,
+                      size_t more, sph2d__memory *memory)
+{
+    return lay_and_reserve(cells, store, (bounds){around[0], around[1], around[2], around[3]}, support, 1, more,
+                           memory);
+}
+
 bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory)
 {
-    size_t count = store->count;
-    lay_grid(cells, count > 0 ? find_bounds(store) : (bounds){0, 0, 0, 0}, support, count);
-    size_t cell_count = (size_t)cells->nx * cells->ny;
-    int sorters = sorters_for(count);
-    if (!reserve(&cells->start, &cells->cell_capacity, cell_count + 1, memory) ||
-        !reserve(&cells->places, &cells->place_capacity, cell_count * (size_t)sorters, memory) ||
-        !reserve_particles(cells, store->capacity, memory)) {
-        cells->nx = cells->ny = 0; /* the grid is not filled */
+    const int sorters = sorters_for(store->count);
+    if (!lay_and_reserve(cells, store, find_bounds(store), support, sorters, 0, memory))
         return false;
-    }
-    sort_particles(cells, store, cell_count, sorters);
+    sort_particles(cells, store, (size_t)cells->nx * cells->ny, sorters);
     sph2d__store_reorder(store, cells->order);
     return true;
 }
@@ -242,87 +246,4 @@ void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory)
     for (int i = 0; i < 2; ++i)
         sph2d__release(memory, &by_particle[i], cells->particle_capacity, sizeof(uint32_t));
     *cells = (sph2d__cells){.period = cells->period, .columns = cells->columns};
-}
-
-/* ---- queries ----------------------------------------------------------------------------------------------------- */
-
-/** Consecutive rows or columns, and the offset of their image: one period or 0. */
-typedef struct span {
-    uint32_t first, count;
-    double offset;
-} span;
-
-/** The rows or columns from `first` - `reach` to `last` + `reach`: one span, or two across an end of the period.
- *  Returns their number. */
-static int find_spans(uint32_t first, uint32_t last, uint32_t reach, uint32_t all, double period, span out[2])
-{
-    uint32_t low = RIM * reach, high = all - low; /* the columns of the period */
-    uint32_t count = last - first + 2 * reach + 1;
-    first -= reach;
-    out[0] = (span){first, count, 0};
-    if (!(period > 0))
-        return 1;
-    if (first < low) { /* the columns below the first are images of the last */
-        uint32_t beyond = low - first;
-        out[0] = (span){high - beyond, beyond, period};
-        out[1] = (span){low, count - beyond, 0};
-        return 2;
-    }
-    if (first + count > high) {
-        uint32_t beyond = first + count - high;
-        out[0] = (span){first, count - beyond, 0};
-        out[1] = (span){low, beyond, -period};
-        return 2;
-    }
-    return 1;
-}
-
-/** Adds the particles of a span of columns in one row as a range, if there are any. */
-static void add_range(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, const span *columns, double offset)
-{
-    size_t first = (size_t)row * cells->nx + columns->first;
-    uint32_t begin = cells->start[first], end = cells->start[first + columns->count];
-    if (begin == end)
-        return;
-    int r = to->count++;
-    to->begin[r] = begin;
-    to->end[r] = end;
-    to->x[r] = columns->offset;
-    to->y[r] = offset;
-}
-
-/** Adds a span of columns in one row; `cut`: split at the ends of tiles, with offsets relative to each tile's
- *  corner. */
-static void add_row(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, span columns, double offset, bool cut)
-{
-    if (!cut) {
-        add_range(to, cells, row, &columns, offset);
-        return;
-    }
-    uint32_t end = columns.first + columns.count;
-    for (uint32_t first = columns.first, next; first < end; first = next) {
-        next = (first / SPH2D__TILE + 1) * SPH2D__TILE;
-        next = next < end ? next : end;
-        span part = {first, next - first, columns.offset - sph2d__tile_x(cells, first)};
-        add_range(to, cells, row, &part, offset - sph2d__tile_y(cells, row));
-    }
-}
-
-void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *p, bool cut, sph2d__ranges *to)
-{
-    span columns[2], rows[2];
-    int column_count = find_spans(p->left, p->right, cells->columns, cells->nx, cells->period.length_x, columns);
-    int row_count = find_spans(p->bottom, p->top, 1, cells->ny, cells->period.length_y, rows);
-    to->count = 0;
-    for (int b = 0; b < row_count; ++b)
-        for (uint32_t row = rows[b].first; row < rows[b].first + rows[b].count; ++row)
-            for (int a = 0; a < column_count; ++a)
-                add_row(to, cells, row, columns[a], rows[b].offset, cut);
-}
-
-void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
-{
-    uint32_t row = cell / cells->nx, column = cell - row * cells->nx;
-    sph2d__patch patch = {column, column, row, row};
-    sph2d__cells_around(cells, &patch, false, to);
 }

@@ -22,22 +22,26 @@
 enum { SPH2D__RIM = 2 };
 
 typedef struct sph2d__cells {
-    sph2d__period period;        /**< set by the owner */
-    uint32_t columns;            /**< cells in a row per support radius, at least 1; set by the owner */
-    double origin_x, origin_y;   /**< lower left corner of the grid with its rim [m] */
-    double width, height;        /**< of a cell [m] */
-    double inverse_x, inverse_y; /**< 1/width, 1/height [1/m] */
-    uint32_t nx, ny;             /**< cells, rim included */
-    uint32_t *start;             /**< first particle of each cell, nx * ny + 1 values */
-    uint32_t *places;            /**< of each sorter and cell: number of particles, then index of the next one */
-    uint32_t *cell;              /**< cell of each particle, in the order before the last sorting */
-    uint32_t *order;             /**< particle order[k] becomes particle k */
+    sph2d__period period;          /**< set by the owner */
+    uint32_t columns;              /**< cells in a row per support radius, at least 1; set by the owner */
+    double origin_x, origin_y;     /**< lower left corner of the grid with its rim [m] */
+    double width, height;          /**< of a cell [m] */
+    double inverse_x, inverse_y;   /**< 1/width, 1/height [1/m] */
+    uint32_t nx, ny;               /**< cells, rim included */
+    SPH2D__ARRAY uint32_t *start;  /**< first particle of each cell, nx * ny + 1 values */
+    SPH2D__ARRAY uint32_t *places; /**< of each sorter and cell: number of particles, then index of the next one */
+    SPH2D__ARRAY uint32_t *cell;   /**< cell of each particle, in the order before the last sorting */
+    SPH2D__ARRAY uint32_t *order;  /**< particle order[k] becomes particle k */
     size_t cell_capacity, place_capacity, particle_capacity;
 } sph2d__cells;
 
 /** Sorts the particles into cells of at least `support` and reorders the store. Positions must be finite. False when
  *  memory is short; there are no cells then, and sph2d__cells_find finds none. */
 bool sph2d__cells_build(sph2d__cells *cells, sph2d__store *store, double support, sph2d__memory *memory);
+/** Its first part alone, for a device that fills them: lays the grid around particles whose smallest and largest x and y are
+ *  given, min_x, min_y, max_x, max_y, and reserves memory, for `more` places than cells. */
+bool sph2d__cells_lay(sph2d__cells *cells, const sph2d__store *store, const double around[4], double support,
+                      size_t more, sph2d__memory *memory);
 void sph2d__cells_free(sph2d__cells *cells, sph2d__memory *memory);
 
 /** Maximum number of ranges: four rows, each cut by the end of a period and again by the end of a tile. */
@@ -62,6 +66,19 @@ static inline uint32_t sph2d__cells_find(const sph2d__cells *cells, double x, do
     return (uint32_t)fy * cells->nx + (uint32_t)fx;
 }
 
+/** The cell of a particle of the grid, clamped against rounding. */
+static inline uint32_t sph2d__cell_of(const sph2d__cells *cells, double x, double y)
+{
+    const double rim_x = (double)SPH2D__RIM * cells->columns, rim_y = SPH2D__RIM;
+    const double last_x = cells->nx - 1.0 - rim_x, last_y = cells->ny - 1.0 - rim_y;
+    double fx = (x - cells->origin_x) * cells->inverse_x, fy = (y - cells->origin_y) * cells->inverse_y;
+    fx = fx > rim_x ? fx : rim_x;
+    fy = fy > rim_y ? fy : rim_y;
+    fx = fx < last_x ? fx : last_x;
+    fy = fy < last_y ? fy : last_y;
+    return (uint32_t)fy * cells->nx + (uint32_t)fx;
+}
+
 /** sph2d__cells_ranges where a direction is periodic. */
 void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to);
 
@@ -72,7 +89,7 @@ static inline void sph2d__cells_ranges(const sph2d__cells *cells, uint32_t cell,
         sph2d__cells_periodic_ranges(cells, cell, to);
         return;
     }
-    const uint32_t *row = cells->start + cell - cells->nx - cells->columns;
+    SPH2D__ARRAY const uint32_t *row = cells->start + cell - cells->nx - cells->columns;
     to->count = 0;
     for (int k = 0; k < 3; ++k, row += cells->nx) {
         int r = to->count;

@@ -19,6 +19,7 @@
 
 #include <stdint.h>
 
+#include "base/address.h"
 #include "base/memory.h"
 
 /** Particles of a slab: few enough to balance uneven work; a multiple of the lanes of every instruction set. */
@@ -34,10 +35,11 @@ typedef struct sph2d__slice {
 } sph2d__slice;
 
 typedef struct sph2d__neighbours {
-    sph2d__slice *slices;
-    uint32_t *index;  /**< of each pair: the other particle */
-    double *gradient; /**< of each pair: a kernel gradient, two floats (lanes.h); NULL if not asked for */
-    uint32_t *found;  /**< of each slab: buffer for the search of a slice's neighbours, `longest` for each particle */
+    SPH2D__ARRAY sph2d__slice *slices;
+    SPH2D__ARRAY uint32_t *index;  /**< of each pair: the other particle */
+    SPH2D__ARRAY double *gradient; /**< of each pair: a kernel gradient, two floats (lanes.h); NULL if not asked for */
+    SPH2D__ARRAY uint32_t
+        *found;       /**< of each slab: buffer for the search of a slice's neighbours, `longest` for each particle */
     size_t particles; /**< capacity */
     size_t each;      /**< capacity in pairs per particle, on average over a slab */
     size_t lanes; /**< particles of a slice, and the stride from slot to slot: as in the loops that filled it last. The

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/address.h"
 #include "base/memory.h"
 
 /** Doubles after the last particle, which vector loads may read and vector stores may overwrite. */
@@ -86,13 +87,13 @@ typedef struct sph2d__store {
     sph2d__set has;     /**< the arrays that it has; constant once memory is reserved */
     sph2d__set carried; /**< those whose values are reordered; the others are recomputed before they are read */
     size_t count, capacity;
-#define SPH2D__STORE_MEMBER(name) double *name;
+#define SPH2D__STORE_MEMBER(name) SPH2D__ARRAY double *name;
     SPH2D__STORE_REALS(SPH2D__STORE_MEMBER)
 #undef SPH2D__STORE_MEMBER
-    uint64_t *id;
-    uint64_t *color; /**< 0xRRGGBB; only where `colored`, which is constant, too */
+    SPH2D__ARRAY uint64_t *id;
+    SPH2D__ARRAY uint64_t *color; /**< 0xRRGGBB; only where `colored`, which is constant, too */
     bool colored;
-    void *scratch; /**< target of a reordering, then swapped with its source */
+    SPH2D__ARRAY void *scratch; /**< target of a reordering, then swapped with its source */
 } sph2d__store;
 
 /** Bytes per particle in a store. */

@@ -3,6 +3,7 @@
  *  The mean density inside the liquid: reported by the particles, and counted on the grid. */
 #include <math.h>
 
+#include "methods/common/on_device.h"
 #include "probes/coverage.h"
 
 /* Distance from the surface of nodes that count as inside [cells], and the minimum number of particles for a mean. */
@@ -101,6 +102,7 @@ static sph2d_densities densities_now(const sph2d_sim *sim, size_t *inside, bool 
     sph2d_densities found = {NAN, NAN, NAN, SPH2D_OK};
     size_t failures = sim->system.memory->failures;
     *inside = 0;
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     if (sph2d__coverage_make(&c, sim)) {
         double placed = sph2d__placed_area(sim);
         found = densities_inside(&c, inside);

@@ -17,6 +17,7 @@
 #include <math.h>
 
 #include "base/pi.h"
+#include "methods/common/on_device.h"
 #include "probes/probes.h"
 
 /* Quadrature points of a face: two per spacing, within these limits. */
@@ -75,6 +76,7 @@ void sph2d__sim_read_gauges(sph2d_sim *sim, double dt)
         const sph2d_probe *probe = &sim->world.scene.probes[i];
         if (!has_rise_time(probe))
             continue;
+        sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
         double *before = &sim->gauges[2 * i], *reading = before + 1, now = sph2d__gauge_face(sim, probe);
         double x = dt * log(9) / probe->rise_time, e = exp(-x), m = -expm1(-x) / x;
         *reading = e * *reading + (m - e) * *before + (1 - m) * now;

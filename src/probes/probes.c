@@ -2,6 +2,7 @@
 /** @file probes.c
  *  The kinds of probes that take a few lines, and the table of all. */
 #include "probes/probes.h"
+#include "methods/common/on_device.h"
 
 #include <math.h>
 
@@ -154,6 +155,7 @@ size_t sph2d_sim_probe(const sph2d_sim *sim, size_t index, double values[SPH2D_P
     if (index >= sim->world.scene.probe_count || sph2d__sim_is_broken(sim))
         return 0;
     const sph2d_probe *probe = &sim->world.scene.probes[index];
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     size_t failures = sim->system.memory->failures, count = rows[probe->kind].evaluate(sim, probe, values);
     return sim->system.memory->failures == failures ? count : 0;
 }

@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "kernels/kernel.h"
+#include "methods/common/on_device.h"
 #include "probes/probes.h"
 
 /* Terms of the quadratic, linear and constant polynomial; velocity, pressure and density. */
@@ -198,8 +199,10 @@ static bool sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
 
 bool sph2d_sim_sample(const sph2d_sim *sim, sph2d_vec2 at, sph2d_sample *out)
 {
-    if (sim && out)
+    if (sim && out) {
+        sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
         return sample(sim, at, out);
+    }
     if (out)
         *out = (sph2d_sample){{NAN, NAN}, NAN, NAN, 0};
     return false;

@@ -3,6 +3,7 @@
  *  Tracers: single particles that are followed, and the places where outputs found them. */
 #include <math.h>
 
+#include "methods/common/on_device.h"
 #include "probes/probes.h"
 
 /** The particle that is nearest to a place, within a spacing: where there is liquid one is within 0.71 of a square lattice.
@@ -28,8 +29,10 @@ static uint64_t nearest_to(const sph2d_sim *sim, sph2d_vec2 at)
 void sph2d__tracers_choose(sph2d_sim *sim)
 {
     for (size_t k = 0; sim->tracers.particles && k < sim->world.scene.probe_count; ++k)
-        if (sim->world.scene.probes[k].kind == SPH2D_PROBE_TRACER && sim->tracers.particles[k] == 0)
+        if (sim->world.scene.probes[k].kind == SPH2D_PROBE_TRACER && sim->tracers.particles[k] == 0) {
+            sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
             sim->tracers.particles[k] = nearest_to(sim, sim->world.scene.probes[k].at);
+        }
 }
 
 /** The index of the particle that a probe follows; SIZE_MAX before it has one, and when that has left. */
@@ -68,6 +71,7 @@ void sph2d__tracers_free(sph2d_sim *sim)
 void sph2d__tracers_sampled(sph2d_sim *sim, size_t probe)
 {
     sph2d__tracers *t = &sim->tracers;
+    sph2d__host_reads(&sim->system, t->particles ? SPH2D__EVERYTHING : 0);
     const size_t i = sim->world.scene.probes[probe].kind == SPH2D_PROBE_TRACER ? followed(sim, probe) : SIZE_MAX;
     if (i == SIZE_MAX || !sph2d__tracers_reserve(sim, t->count + 1)) /* a point less in pictures */
         return;

@@ -13,6 +13,7 @@
 #include <math.h>
 
 #include "base/elementary.h"
+#include "methods/common/on_device.h"
 #include "run/run.h"
 #include "scene/openings.h"
 
@@ -60,8 +61,13 @@ static double damp(const layer *l, sph2d__store *f, double dt)
 void sph2d__sim_absorb(sph2d_sim *sim, double dt)
 {
     const sph2d_scene *scene = &sim->world.scene;
+    const sph2d__set damped = SPH2D__BIT(vx) | SPH2D__BIT(vy);
+    if (scene->absorber_count > 0)
+        sph2d__host_reads(&sim->system, damped | SPH2D__BIT(x) | SPH2D__BIT(y));
     for (size_t k = 0; k < scene->absorber_count; ++k) {
         const layer l = layer_of(&sim->world, &scene->absorbers[k]);
         sim->record.energy_forces -= sim->system.mass * damp(&l, &sim->system.fluid, dt);
     }
+    if (scene->absorber_count > 0)
+        sph2d__host_changed(&sim->system, damped);
 }

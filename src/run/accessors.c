@@ -3,6 +3,7 @@
  *  Accessors of a simulation's values, and steering during a run. */
 #include <math.h>
 
+#include "methods/common/on_device.h"
 #include "run/run.h"
 #include "sim/simulation.h"
 
@@ -103,6 +104,7 @@ sph2d_view sph2d_sim_fluid(const sph2d_sim *sim)
 {
     if (!sim)
         return (sph2d_view){0};
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     return view_of(&sim->system.fluid);
 }
 
@@ -110,6 +112,7 @@ sph2d_view sph2d_sim_walls(const sph2d_sim *sim)
 {
     if (!sim)
         return (sph2d_view){0};
+    sph2d__host_reads_walls(&sim->system);
     sph2d_view view = view_of(&sim->system.walls);
     view.ax = view.ay = NULL;
     return view;

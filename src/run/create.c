@@ -16,8 +16,10 @@
 #include "scene/liquid.h"
 #include "scene/method_table.h"
 #include "scene/resolve.h"
+#include "sim/device_steps.h"
 #include "sim/stages.h"
 #include "simd/isa.h"
+#include "sph2d/device.h"
 #include "start/start.h"
 
 sph2d_sim_options sph2d_sim_options_default(void)
@@ -59,6 +61,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     const sph2d_box *box = &sim->world.box;
     sph2d__system *s = &sim->system;
     s->memory = &sim->memory;
+    s->tables = &sim->tables;
     s->profile.phase = SPH2D_PHASE_COUNT;
     s->isa = sph2d__isa_choose(options->isa);
     s->spacing = scene->spacing;
@@ -120,6 +123,7 @@ static sph2d_status allocate_arrays(sph2d_sim *sim)
             if (!sim->tracers.particles)
                 return SPH2D_NOMEM;
         }
+    sim->system.points_room = (scene->interaction_count + 1) * sizeof *sim->points;
     bool ok = sim->gauges && sim->points && sim->moving && sim->wall_ids && sim->source_rows && sim->output_counts;
     return ok ? SPH2D_OK : SPH2D_NOMEM;
 }
@@ -209,6 +213,11 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         return status;
     if (!state && sph2d__sim_is_too_large(sim, report))
         return SPH2D_SCENE;
+    const char *refused = options->device != 0 ? sph2d_device_refuses(&sim->world.scene) : NULL;
+    if (refused) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_UNSUPPORTED, NULL, "no device takes this scene: %s", refused);
+        return SPH2D_SCENE;
+    }
     if (state && sph2d__state_has_colors(state)) /* of particles whose file is not there any more, too */
         sim->system.fluid.colored = true;
     sim->threads = options->threads;
@@ -228,6 +237,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         status = SPH2D_NOMEM;
     if (status == SPH2D_OK)
         sph2d__sim_make_plan(sim);
+    if (status == SPH2D_OK && options->device != 0)
+        status = sph2d__device_start(sim, options->device, options->same_bits, report);
     return status;
 }
 
@@ -293,6 +304,7 @@ void sph2d_sim_destroy(sph2d_sim *sim)
         return;
     sph2d__memory *memory = &sim->memory;
     sph2d__system *s = &sim->system;
+    sph2d__device_end(sim);
     sph2d__store_free(&s->fluid, memory);
     sph2d__store_free(&s->walls, memory);
     sph2d__cells_free(&s->fluid_cells, memory);

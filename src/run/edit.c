@@ -3,6 +3,7 @@
  *  Liquid that a program adds and removes between steps. Energy counts as that of sources and drains. */
 #include <math.h>
 
+#include "methods/common/on_device.h"
 #include "run/run.h"
 #include "scene/liquid.h"
 #include "scene/shape.h"
@@ -60,6 +61,7 @@ sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *parti
             return SPH2D_INVALID;
     sph2d__store *fluid = &sim->system.fluid;
     size_t before = fluid->count;
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     if (count > SPH2D__MAX_PARTICLES - before || !sph2d__store_reserve(fluid, &sim->memory, before + count))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < count; ++k) {
@@ -71,6 +73,7 @@ sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *parti
         *added = fluid->count - before;
     if (fluid->count == before)
         return SPH2D_OK;
+    sph2d__host_changed(&sim->system, SPH2D__EVERYTHING);
     sph2d_status status = sph2d__sim_book_new_surface(sim, before);
     return status == SPH2D_OK ? settle(sim) : status;
 }
@@ -119,6 +122,7 @@ sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape
         return SPH2D_NOMEM;
     const sph2d__store *f = &sim->system.fluid;
     size_t count = 0;
+    sph2d__host_reads(&sim->system, SPH2D__BIT(x) | SPH2D__BIT(y));
     for (size_t i = 0; i < f->count; ++i) {
         sim->to_remove[i] = sph2d__shape_contains(shape, (sph2d_vec2){f->x[i], f->y[i]});
         count += sim->to_remove[i];

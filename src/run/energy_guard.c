@@ -25,6 +25,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "methods/common/on_device.h"
 #include "run/run.h"
 #include "scene/method_table.h"
 
@@ -156,6 +157,7 @@ bool sph2d__sim_guard_energy(const sph2d_sim *sim, sph2d_report *report)
     bool rises = r->energy_rise > largest * scale, unbooked = r->error_rise > fmax(UNBOOKED, largest) * all_booked(sim);
     if (!(scale > 0) || !(rises || unbooked) || !sph2d__sim_rise_is_known(sim) || f->count == 0)
         return true;
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     size_t i = find_fastest(f);
     double from_nothing = rises ? r->energy_rise : r->error_rise, part = rises ? scale : all_booked(sim);
     char where[SPH2D__WHERE_SIZE], remedies[120];

@@ -2,6 +2,7 @@
 /** @file fields.c
  *  The table of fields, one row each. */
 #include "run/fields.h"
+#include "methods/common/on_device.h"
 
 #include <string.h>
 
@@ -222,6 +223,8 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
     if (!sim)
         return field;
     const sph2d__system *s = &sim->system;
+    sph2d__host_reads(s, SPH2D__EVERYTHING);
+    sph2d__host_reads_walls(s);
     field.count = store_of(sim, group)->count;
     switch (r->source) {
     case FROM_STORE:
@@ -242,6 +245,8 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
 
 const uint64_t *sph2d_sim_colors(const sph2d_sim *sim)
 {
+    if (sim)
+        sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     return sim ? sim->system.fluid.color : NULL;
 }
 

@@ -8,17 +8,12 @@
 #include "run/run.h"
 #include "scene/method_table.h"
 #include "scene/world.h"
+#include "sim/device_steps.h"
+#include "sim/extremes.h"
 
 /* A step below this fraction of the stable step at rest is near collapse; so many in a row are a collapse. */
 static const double COLLAPSE = 1e-5;
 enum { COLLAPSED_STEPS = 100 };
-
-typedef struct extremes {
-    double speed2, acceleration2, density, pressure;
-    size_t not_finite;  /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
-    size_t escaped;     /**< of the first beyond a side that is a wall */
-    size_t implausible; /**< of the first with a density out of bounds */
-} extremes;
 
 /** The domain, unbounded at sides that are not walls. */
 static sph2d_box walled_box(const sph2d__world *world)
@@ -30,70 +25,33 @@ static sph2d_box walled_box(const sph2d__world *world)
         {b.right == SPH2D_SIDE_WALL ? d.max.x : INFINITY, b.top == SPH2D_SIDE_WALL ? d.max.y : INFINITY}};
 }
 
-static const extremes no_extremes = {.not_finite = SIZE_MAX, .escaped = SIZE_MAX, .implausible = SIZE_MAX};
-
-/** Bounds to check. */
-typedef struct limits {
-    const sph2d__world *world;
-    sph2d_box box;
-    sph2d__bounds density; /**< [kg/m^3] */
-} limits;
-
-/** Whether it has left through an open side, beyond the end of the walls. */
-static bool has_left(const sph2d__world *world, double x, double y)
+static sph2d__limits limits_of(const sph2d_sim *sim)
 {
-    const int side = sph2d__side_left(&world->box, x, y);
-    return side >= 0 && sph2d__side_of(&world->scene, side) == SPH2D_SIDE_OPEN;
+    const sph2d__bounds bounds = sph2d__sim_bounds(sim);
+    sph2d__limits limits = {.domain = sim->world.box,
+                            .walled = walled_box(&sim->world),
+                            .min_density = bounds.min_density,
+                            .max_density = bounds.max_density};
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        limits.open[side] = sph2d__side_of(&sim->world.scene, side) == SPH2D_SIDE_OPEN;
+    return limits;
 }
 
-/** Those of particles first to last - 1. */
-static extremes extremes_of(const sph2d__store *f, const limits *within, size_t first, size_t last)
-{
-    const double *acting = f->acting_pressure ? f->acting_pressure : f->pressure;
-    const sph2d_box box = within->box;
-    const double low = within->density.min_density, high = within->density.max_density;
-    extremes e = no_extremes;
-    for (size_t i = first; i < last; ++i) {
-        double x = f->x[i], y = f->y[i];
-        double v2 = f->vx[i] * f->vx[i] + f->vy[i] * f->vy[i];
-        double a2 = f->ax[i] * f->ax[i] + f->ay[i] * f->ay[i];
-        e.speed2 = v2 > e.speed2 ? v2 : e.speed2;
-        e.acceleration2 = a2 > e.acceleration2 ? a2 : e.acceleration2;
-        e.density = f->density[i] > e.density ? f->density[i] : e.density;
-        e.pressure = acting[i] > e.pressure ? acting[i] : e.pressure;
-        if (!isfinite(v2 + a2 + x + y) && i < e.not_finite)
-            e.not_finite = i;
-        if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e.escaped &&
-            !has_left(within->world, x, y))
-            e.escaped = i;
-        if (!(f->density[i] >= low && f->density[i] <= high) && i < e.implausible)
-            e.implausible = i;
-    }
-    return e;
-}
-
-static extremes join(extremes a, extremes b)
-{
-    return (extremes){fmax(a.speed2, b.speed2),
-                      fmax(a.acceleration2, b.acceleration2),
-                      fmax(a.density, b.density),
-                      fmax(a.pressure, b.pressure),
-                      a.not_finite < b.not_finite ? a.not_finite : b.not_finite,
-                      a.escaped < b.escaped ? a.escaped : b.escaped,
-                      a.implausible < b.implausible ? a.implausible : b.implausible};
-}
-
-static extremes find_extremes(const sph2d_sim *sim)
+static sph2d__extremes find_extremes(const sph2d_sim *sim)
 {
     const sph2d__store *f = &sim->system.fluid;
-    const limits within = {&sim->world, walled_box(&sim->world), sph2d__sim_bounds(sim)};
+    const sph2d__limits within = limits_of(sim);
     size_t count = f->count;
-    extremes all = no_extremes;
+    sph2d__extremes all = sph2d__no_extremes();
+    if (sph2d__is_on_device(&sim->system))
+        return sph2d__device_extremes(&sim->system, &within);
 #pragma omp taskloop num_tasks(sph2d__tasks(count, SPH2D__GRAIN)) if (count > SPH2D__GRAIN) shared(all, within)
     for (size_t first = 0; first < count; first += SPH2D__GRAIN) {
-        extremes part = extremes_of(f, &within, first, first + SPH2D__GRAIN < count ? first + SPH2D__GRAIN : count);
+        sph2d__extremes part = sph2d__no_extremes();
+        for (size_t i = first; i < count && i < first + SPH2D__GRAIN; ++i)
+            sph2d__see_particle(f, &within, i, &part);
 #pragma omp critical(sph2d_extremes)
-        all = join(all, part);
+        all = sph2d__join_extremes(all, part);
     }
     return all;
 }
@@ -108,7 +66,7 @@ static sph2d_diagnostic *report_particle(const sph2d_sim *sim, sph2d_report *rep
                             (unsigned long long)sim->record.steps, sim->record.time);
 }
 
-static bool guard_values(sph2d_sim *sim, const extremes *e, sph2d_report *report)
+static bool guard_values(sph2d_sim *sim, const sph2d__extremes *e, sph2d_report *report)
 {
     const sph2d__store *f = &sim->system.fluid;
     if (e->not_finite != SIZE_MAX) {
@@ -168,6 +126,7 @@ static bool guard_speed(const sph2d_sim *sim, double speed, sph2d_report *report
     if (row->summed_density || !(speed > s->sound_speed))
         return true;
     size_t i = 0;
+    sph2d__host_reads(s, SPH2D__EVERYTHING);
     while (i + 1 < f->count && hypot(f->vx[i], f->vy[i]) < speed * (1 - 1e-12))
         ++i;
     char where[SPH2D__WHERE_SIZE];
@@ -188,7 +147,7 @@ static bool guard_speed(const sph2d_sim *sim, double speed, sph2d_report *report
     return false;
 }
 
-static bool guard_step(sph2d_sim *sim, const extremes *e, sph2d_report *report)
+static bool guard_step(sph2d_sim *sim, const sph2d__extremes *e, sph2d_report *report)
 {
     const sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
@@ -253,7 +212,9 @@ static bool guard_bodies(const sph2d_sim *sim, sph2d_report *report)
 
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
 {
-    extremes e = find_extremes(sim);
+    sph2d__extremes e = find_extremes(sim);
+    if (e.not_finite != SIZE_MAX || e.implausible != SIZE_MAX || e.escaped != SIZE_MAX)
+        sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     if (!guard_bodies(sim, report) || !guard_values(sim, &e, report))
         return false;
     double compression = e.density / sim->system.rest_density - 1;

@@ -12,8 +12,6 @@ int sph2d__sim_threads(const sph2d_sim *sim);
 /** Checks all particles after velocity and acceleration are updated: finite values, largest speed, acceleration and
  *  compression; sets the length of the next step. False when a guard fires. */
 bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report);
-/** The open side through which a particle has left: 0 to 3 for left, right, bottom, top, or -1 (sources.c). */
-int sph2d__side_left(const sph2d_box *box, double x, double y);
 
 /** Hints at what to do about a particle at `place`, beyond a wall of the domain (escaped.c). */
 void sph2d__sim_hint_escape(const sph2d_sim *sim, sph2d_vec2 place, sph2d_diagnostic *diagnostic);

@@ -6,11 +6,13 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "methods/common/on_device.h"
 #include "methods/common/state_equation.h"
 #include "methods/terms/tension.h"
 #include "run/run.h"
 #include "scene/resolve.h"
 #include "scene/shape.h"
+#include "sim/extremes.h"
 #include "sim/stages.h"
 
 /* A source emits no particle nearer than this many spacings to another. The rows of a jet are one spacing apart; the
@@ -181,9 +183,11 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
             double due = source->start + (double)row * n.interval;
             if (due > REACHED * sim->record.time || (source->stop > 0 && due >= source->stop))
                 break;
+            sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
             sph2d_status status = emit_row(sim, i, &n, row, fmax(sim->record.time - due, 0), sorted);
             if (status != SPH2D_OK)
                 return status;
+            sph2d__host_changed(&sim->system, SPH2D__EVERYTHING);
             ++sim->source_rows[i];
         }
     }
@@ -191,20 +195,6 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
 }
 
 /* ---- drains and open sides --------------------------------------------------------------------------------------- */
-
-/* Within one more width or height of the domain it is kept, as it may come back. */
-int sph2d__side_left(const sph2d_box *box, double x, double y)
-{
-    sph2d_box d = *box;
-    double width = d.max.x - d.min.x, height = d.max.y - d.min.y;
-    if (x < d.min.x - width)
-        return 0;
-    if (x > d.max.x + width)
-        return 1;
-    if (y < d.min.y - height)
-        return 2;
-    return y > d.max.y + height ? 3 : -1;
-}
 
 /** Whether any particle has left. */
 static bool any_left(const sph2d_sim *sim)
@@ -290,6 +280,7 @@ sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim)
     sph2d__store *f = &sim->system.fluid;
     bool surface = sim->system.surface_tension > 0;
     sph2d_box box = EMPTY_BOX;
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     for (size_t i = 0; i < f->count; ++i)
         if (sim->to_remove[i]) {
             count_removed(sim, i);
@@ -297,6 +288,7 @@ sph2d_status sph2d__sim_remove_flagged(sph2d_sim *sim)
         }
     double before = surface ? sph2d__tension_energy_within(&sim->system, box) : 0;
     sph2d__store_remove(f, sim->to_remove);
+    sph2d__host_changed(&sim->system, SPH2D__EVERYTHING);
     sph2d_status status = surface ? sph2d__sim_sort_all_arrays(sim) : SPH2D_OK;
     if (surface && status == SPH2D_OK)
         sim->record.energy_fed += sph2d__tension_energy_within(&sim->system, box) - before;
@@ -307,6 +299,7 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
 {
     if (!removes_particles(&sim->world.scene))
         return SPH2D_OK;
+    sph2d__host_reads(&sim->system, SPH2D__BIT(x) | SPH2D__BIT(y));
     if (sim->world.scene.drain_count == 0 && sim->world.scene.opening_count == 0 && !any_left(sim))
         return SPH2D_OK;
     if (!sph2d__sim_reserve_flags(sim))

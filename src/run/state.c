@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "methods/common/on_device.h"
 #include "probes/probes.h"
 #include "run/fields.h"
 #include "run/run.h"
@@ -95,6 +96,8 @@ sph2d_state sph2d_sim_state(sph2d_sim *sim)
     }
     sph2d_state state = {.version = SPH2D_STATE_VERSION};
     if (sim->state_arrays && !sph2d__sim_is_broken(sim)) {
+        sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
+        sph2d__host_reads_walls(&sim->system);
         state.arrays = sim->state_arrays;
         sph2d__lent lent[STATE_ARRAYS];
         state.array_count = list_arrays(sim, lent);

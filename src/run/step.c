@@ -6,6 +6,7 @@
 #include "probes/coverage.h"
 #include "probes/probes.h"
 #include "run/run.h"
+#include "sim/device_steps.h"
 #include "sim/stages.h"
 
 static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *report)
@@ -15,7 +16,7 @@ static sph2d_status halt(sph2d_sim *sim, sph2d_status status, sph2d_report *repo
     if (status == SPH2D_NOMEM)
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL, "out of memory in step %llu",
                          (unsigned long long)sim->record.steps);
-    if (status != SPH2D_NOMEM && status != SPH2D_GUARD)
+    if (status != SPH2D_NOMEM && status != SPH2D_GUARD && status != SPH2D_DEVICE)
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_GENERAL, NULL,
                          "the solver for contacts of bodies ended step %llu: %s", (unsigned long long)sim->record.steps,
                          sph2d_status_text(status));
@@ -62,6 +63,8 @@ static sph2d_status take_step(sph2d_sim *sim, sph2d_report *report)
     sph2d__momentum_begin(sim);
     status = sim->method->step(sim, dt);
     sph2d__profile_enter(profile, SPH2D_PHASE_BOOKKEEPING);
+    if (sph2d__device_check(sim, report) != SPH2D_OK)
+        return halt(sim, SPH2D_DEVICE, report);
     if (status == SPH2D_GUARD)
         sph2d__sim_measure(sim, report); /* reports the particle */
     if (status != SPH2D_OK)
@@ -80,6 +83,8 @@ static sph2d_status take_step(sph2d_sim *sim, sph2d_report *report)
     status = sph2d__sim_watch_density(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_update_energy_balance(sim);
+    if (sph2d__device_check(sim, report) != SPH2D_OK)
+        status = SPH2D_DEVICE;
     if (status != SPH2D_OK)
         return halt(sim, status, report);
     if (!sph2d__sim_guard_energy(sim, report) || !sph2d__sim_guard_momentum(sim, report))

@@ -3,6 +3,7 @@
  *  The summary of a run: compression, energy, momentum, counts. */
 #include <math.h>
 
+#include "methods/common/on_device.h"
 #include "run/run.h"
 
 /* Compression is sampled every so many steps, but not for a time after an impact [s]. */
@@ -51,6 +52,7 @@ void sph2d__sim_sample(sph2d_sim *sim)
     r->sample_time = r->time;
     if (in_impact(sim) || s->fluid.count == 0)
         return;
+    sph2d__host_reads(s, SPH2D__BIT(density));
     double largest = 0, sum = 0;
     for (size_t i = 0; i < s->fluid.count; ++i) {
         double c = compression_of(s, i);
@@ -93,6 +95,7 @@ sph2d_summary sph2d_sim_summary(const sph2d_sim *sim)
 {
     if (!sim)
         return (sph2d_summary){0};
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
     const sph2d__record *r = &sim->record;
     double time = r->sampled_time > 0 ? r->sampled_time : 1;
     sph2d_summary out = {

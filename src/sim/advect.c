@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "sim/device_steps.h"
 #include "sim/stages.h"
 
 /** Reflects a velocity at the nearest reflecting boundary particle within one spacing, if the particle approaches it:
@@ -42,35 +43,6 @@ static bool reflect(sph2d_sim *sim, sph2d_vec2 p, sph2d_vec2 *v)
     return true;
 }
 
-/** A particle, and for how long its acceleration acted in the kick before this displacement [s]. */
-typedef struct kicked {
-    size_t particle;
-    double duration;
-} kicked;
-
-/** By how much the liquid's own forces changed its velocity in the kick. Elastic energy pays for it, by the velocity that
- *  the wall leaves: a particle that pressure pulls against a wall, which stops it in each step, loses nothing. Without
- *  this 16 particles that fell on the upper end of a line lost 58 % of the energy scale more, and two that a rim held
- *  63 J/m per second, 70 times their potential energy. */
-static sph2d_vec2 push_of(const sph2d_sim *sim, kicked k)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    size_t i = k.particle;
-    double bx = 0, by = 0;
-    if (!(k.duration > 0))
-        return (sph2d_vec2){0, 0};
-    sph2d__forces_add(&sim->system.forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &bx, &by);
-    return (sph2d_vec2){k.duration * (f->ax[i] - bx), k.duration * (f->ay[i] - by)};
-}
-
-/** Energy of a particle whose position and velocity a wall changes [J/m]: kinetic and potential, less what the kick has
- *  added before elastic energy paid for it. */
-static double energy_at(const sph2d_sim *sim, kicked k, sph2d_vec2 at, sph2d_vec2 v)
-{
-    sph2d_vec2 push = push_of(sim, k);
-    return sph2d__sim_energy_of(sim, at.x, at.y, v.x, v.y) - sim->system.mass * (push.x * v.x + push.y * v.y);
-}
-
 /** Brings a place to the period in which a body is drawn: bodies cross periodic sides whole. */
 static sph2d_vec2 to_image(const sph2d_sim *sim, const sph2d__moving *moving, sph2d_vec2 p)
 {
@@ -80,9 +52,10 @@ static sph2d_vec2 to_image(const sph2d_sim *sim, const sph2d__moving *moving, sp
                         p.y + sph2d__period_nearest(arm.y, period->length_y) - arm.y};
 }
 
-static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, kicked k, sph2d_vec2 from, sph2d_vec2 *to,
+static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d__kicked k, sph2d_vec2 from, sph2d_vec2 *to,
                           sph2d_vec2 *v, double *to_bodies)
 {
+    const sph2d__system *s = &sim->system;
     sph2d_vec2 at = *to, before = *v, shift = {0, 0};
     if (moving->rigid) {
         sph2d_vec2 image = to_image(sim, moving, from);
@@ -96,12 +69,14 @@ static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, kicked k,
     if (hits > 0 && moving->rigid) {
         double share = sph2d__bodies_share(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
         *v = (sph2d_vec2){before.x + share * (v->x - before.x), before.y + share * (v->y - before.y)};
-        *to_bodies += energy_at(sim, k, *to, *v) - energy_at(sim, k, at, before);
+        *to_bodies +=
+            sph2d__energy_kicked(s, k, (sph2d__end){*to, *v}) - sph2d__energy_kicked(s, k, (sph2d__end){at, before});
         sph2d__bodies_strike(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
     }
     if (hits > 0 && sph2d__loads_wanted(sim))
         sph2d__loads_contact(sim, moving->number, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
-                             energy_at(sim, k, *to, *v) - energy_at(sim, k, at, before));
+                             sph2d__energy_kicked(s, k, (sph2d__end){*to, *v}) -
+                                 sph2d__energy_kicked(s, k, (sph2d__end){at, before}));
     return (uint64_t)hits;
 }
 
@@ -113,8 +88,8 @@ typedef struct near_obstacles {
 } near_obstacles;
 
 /** Keeps a displacement on its side of moving obstacles. */
-static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, kicked who, sph2d_vec2 from, sph2d_vec2 *to,
-                             sph2d_vec2 *v, double *to_bodies)
+static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, sph2d__kicked who, sph2d_vec2 from,
+                             sph2d_vec2 *to, sph2d_vec2 *v, double *to_bodies)
 {
     uint64_t hits = 0;
     for (size_t k = 0; near->all ? k < sim->moving_count : k < near->count; ++k)
@@ -134,53 +109,18 @@ static uint64_t sweep_fixed(sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph
     return (uint64_t)hits;
 }
 
-/** What happened to particles during an advection. */
-typedef struct events {
-    uint64_t hits, reflections, not_finite;
-    /** Energy lost to walls, gained from moving ones, and lost by changes of density, in quanta (simulation.h). */
-    int64_t stopped, driven, diffused;
-} events;
-
-/** Position and velocity of a particle after its displacement. */
-typedef struct end {
-    sph2d_vec2 at, v;
-} end;
-
-static void add_events(events *to, const events *met)
-{
-    to->hits += met->hits;
-    to->reflections += met->reflections;
-    to->not_finite += met->not_finite;
-    to->stopped += met->stopped;
-    to->driven += met->driven;
-    to->diffused += met->diffused;
-}
-
-/* No particle of a valid run has this many quanta. */
-static const double MAX_QUANTA = 1e15;
-
-static int64_t quanta_of(const sph2d_sim *sim, double energy)
-{
-    double quanta = energy / sph2d__sim_energy_quantum(sim);
-    return fabs(quanta) < MAX_QUANTA ? (int64_t)quanta : 0;
-}
-
-/** The difference of a particle's energy between two of them, in quanta. */
-static int64_t quanta_between(const sph2d_sim *sim, kicked k, end more, end less)
-{
-    return quanta_of(sim, energy_at(sim, k, more.at, more.v) - energy_at(sim, k, less.at, less.v));
-}
-
 /** Moves one particle that may meet a wall or a periodic side. */
-static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__batch *batch, size_t k, events *met)
+static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__batch *batch, size_t k,
+                       sph2d__events *met)
 {
-    sph2d__store *f = &sim->system.fluid;
-    const sph2d__period *period = &sim->system.fluid_cells.period;
+    const sph2d__system *s = &sim->system;
+    const sph2d__store *f = &s->fluid;
+    const double quantum = sph2d__sim_energy_quantum(sim);
     const size_t i = batch->first + k;
-    const kicked who = {i, batch->kick};
+    const sph2d__kicked who = {i, batch->kick};
     double dx = batch->dx[k], dy = batch->dy[k];
     sph2d_vec2 from = {f->x[i], f->y[i]}, v = {batch->vx[k], batch->vy[k]};
-    end free = {{from.x + dx, from.y + dy}, v};
+    sph2d__end free = {{from.x + dx, from.y + dy}, v};
     uint64_t reflected = 0, stopped, pushed = 0;
     if (sim->system.walls_reflect) {
         sph2d_vec2 before = v;
@@ -194,34 +134,31 @@ static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__
     sph2d_vec2 to = {from.x + dx, from.y + dy};
     stopped = sweep_fixed(sim, from, &to, &v);
     if (reflected + stopped > 0)
-        met->stopped += quanta_between(sim, who, free, (end){to, v});
+        met->stopped += sph2d__quanta_between(s, quantum, who, free, (sph2d__end){to, v});
     if (near->all || near->count > 0) {
-        end before = {to, v};
+        sph2d__end before = {to, v};
         double to_bodies = 0;
         pushed = sweep_moving(sim, near, who, from, &to, &v, &to_bodies);
         if (pushed > 0 && sim->method->walls_hold)
             stopped += sweep_fixed(sim, from, &to, &v);
         if (pushed > 0) {
-            int64_t bodies = quanta_of(sim, to_bodies);
-            met->driven += quanta_between(sim, who, (end){to, v}, before) - bodies;
+            int64_t bodies = sph2d__quanta_of(quantum, to_bodies);
+            met->driven += sph2d__quanta_between(s, quantum, who, (sph2d__end){to, v}, before) - bodies;
             met->stopped -= bodies;
         }
     }
-    sph2d_vec2 in = {sph2d__period_wrap(to.x, period->low_x, period->length_x),
-                     sph2d__period_wrap(to.y, period->low_y, period->length_y)};
-    if (in.x != to.x || in.y != to.y) { /* the displacement ends at the opposite periodic side */
-        end before = {in, v};
-        from = (sph2d_vec2){from.x + in.x - to.x, from.y + in.y - to.y};
-        uint64_t held = sweep_fixed(sim, from, &in, &v);
+    if (sph2d__wrap_end(&s->fluid_cells.period, &from, &to)) {
+        sph2d__end before = {to, v};
+        uint64_t held = sweep_fixed(sim, from, &to, &v);
         if (held > 0)
-            met->stopped += quanta_between(sim, who, before, (end){in, v});
+            met->stopped += sph2d__quanta_between(s, quantum, who, before, (sph2d__end){to, v});
         stopped += held;
     }
     met->reflections += reflected;
     met->hits += stopped + pushed;
-    met->not_finite += isfinite(in.x + in.y + v.x + v.y) ? 0 : 1;
-    f->x[i] = in.x;
-    f->y[i] = in.y;
+    met->not_finite += isfinite(to.x + to.y + v.x + v.y) ? 0 : 1;
+    f->x[i] = to.x;
+    f->y[i] = to.y;
     f->vx[i] = v.x;
     f->vy[i] = v.y;
 }
@@ -301,7 +238,7 @@ static void advect_free(sph2d__store *f, const sph2d__batch *batch)
     memcpy(f->vy + batch->first, batch->vy, batch->count * sizeof(double));
 }
 
-static void advect_batch(sph2d_sim *sim, double shift, const sph2d__batch *batch, events *met)
+static void advect_batch(sph2d_sim *sim, double shift, const sph2d__batch *batch, sph2d__events *met)
 {
     reach r = reach_of(sim, batch);
     near_obstacles near;
@@ -325,33 +262,40 @@ static double shift_of_walls(const sph2d_sim *sim)
 /* Batches in a task. */
 enum { BATCHES = 512 / SPH2D__BATCH };
 
+void sph2d__advected(sph2d_sim *sim, const sph2d__events *met)
+{
+    sim->record.backstop_hits += met->hits;
+    sim->record.reflections += met->reflections;
+    sim->record.energy_stopped += (double)met->stopped * sph2d__sim_energy_quantum(sim);
+    sim->record.energy_walls += (double)met->driven * sph2d__sim_energy_quantum(sim);
+    sim->record.energy_diffused += (double)met->diffused * sph2d__sim_energy_quantum(sim);
+}
+
 sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after)
 {
+    if (sph2d__is_on_device(&sim->system))
+        return sph2d__device_advect(sim, dt);
     const size_t count = sim->system.fluid.count, batches = (count + SPH2D__BATCH - 1) / SPH2D__BATCH;
     const double shift = shift_of_walls(sim);
-    events all = {0};
+    sph2d__events all = {0};
 #pragma omp taskloop num_tasks(sph2d__tasks(batches, BATCHES)) if (batches > BATCHES) shared(all)                      \
     firstprivate(set, after)
     for (size_t first = 0; first < batches; first += BATCHES) {
-        events met = {0};
+        sph2d__events met = {0};
         for (size_t n = first; n < batches && n < first + BATCHES; ++n) {
             sph2d__batch batch;
             batch.first = n * SPH2D__BATCH;
             batch.kick = batch.diffused = 0;
             batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
             set(sim, dt, &batch);
-            met.diffused += quanta_of(sim, batch.diffused);
+            met.diffused += sph2d__quanta_of(sph2d__sim_energy_quantum(sim), batch.diffused);
             advect_batch(sim, shift, &batch, &met);
             if (after)
                 after(sim, dt, &batch);
         }
 #pragma omp critical(sph2d_events)
-        add_events(&all, &met);
+        sph2d__add_events(&all, met);
     }
-    sim->record.backstop_hits += all.hits;
-    sim->record.reflections += all.reflections;
-    sim->record.energy_stopped += (double)all.stopped * sph2d__sim_energy_quantum(sim);
-    sim->record.energy_walls += (double)all.driven * sph2d__sim_energy_quantum(sim);
-    sim->record.energy_diffused += (double)all.diffused * sph2d__sim_energy_quantum(sim);
+    sph2d__advected(sim, &all);
     return all.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
 }

@@ -5,7 +5,7 @@
 #ifndef SPH2D_SIM_BALANCE_H
 #define SPH2D_SIM_BALANCE_H
 
-#include "methods/common/slabs.h"
+#include "methods/common/slab.h"
 
 /** Kinetic and potential energy per mass at a place with a velocity [J/kg]. */
 static inline double sph2d__energy_at(const sph2d__system *s, double x, double y, double vx, double vy)

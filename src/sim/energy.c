@@ -4,6 +4,8 @@
 #include <math.h>
 
 #include "base/pi.h"
+#include "methods/common/on_device.h"
+#include "methods/common/slabs.h"
 #include "methods/common/state_equation.h"
 #include "methods/terms/tension.h"
 #include "scene/method_table.h"
@@ -48,7 +50,9 @@ static void sum_energy(sph2d__system *s, const sph2d__slab *slab, const void *wi
 
 void sph2d__sim_sum_energy(const sph2d_sim *sim, sph2d_summary *out)
 {
-    const sph2d__slab_sum sum = sph2d__sum_fluid(&sim->system, sum_energy, sim);
+    const sph2d__slab_sum sum = sph2d__is_on_device(&sim->system)
+                                    ? sph2d__device_sum(&sim->system, "sum_energy", NULL, 0)
+                                    : sph2d__sum_fluid(&sim->system, sum_energy, sim);
     const double m = sim->system.mass;
     out->kinetic = m * sum.first;
     out->potential = m * sum.second - m * sum.first;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file forcing.c
  *  Time-dependent forcing: interactions, the pointer, moving obstacles. */
+#include "methods/common/on_device.h"
 #include "scene/frame.h"
 #include "sim/simulation.h"
 
@@ -38,6 +39,7 @@ static bool move_walls(sph2d_sim *sim, double time)
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__moving_place(&sim->moving[k], time, &s->walls, &s->wall_cells.period);
     bool sorted = sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory);
+    sph2d__host_changed_walls(s);
     sph2d__bodies_index(sim, time);
     return sorted;
 }
@@ -57,6 +59,7 @@ static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
         sim->points[count++] =
             (sph2d__point_force){by->pointer_x, by->pointer_y, by->pointer_radius, by->pointer_acceleration};
     forces->points = (sph2d__points){sim->points, count};
+    sph2d__host_changed_points(&sim->system);
     forces->gravity.x = by->gravity_x;
     forces->gravity.y = by->gravity_y;
     forces->frame = sph2d__frame_at(&sim->world.scene, &sim->tank, time);

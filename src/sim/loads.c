@@ -9,7 +9,9 @@
 #include "methods/terms/tension.h"
 #include "scene/world.h"
 #include "sim/balance.h"
+#include "sim/device_steps.h"
 #include "sim/simulation.h"
+#include "sim/wall_loads.h"
 
 /* ---- which wall -------------------------------------------------------------------------------------------------- */
 
@@ -98,29 +100,14 @@ bool sph2d__loads_wanted(const sph2d_sim *sim)
 
 /* ---- forces of boundary particles -------------------------------------------------------------------------------- */
 
+SPH2D__FORCE_OF_WALL(force_around, const sph2d__method *, method, method->wall_force)
+
 sph2d__wall_force sph2d__sim_force_of_wall(const sph2d_sim *sim, size_t b)
 {
     const sph2d__system *s = &sim->system;
-    const sph2d__store *w = &s->walls, *f = &s->fluid;
-    sph2d__wall_force sum = {0};
     if (sim->method->surface_force)
-        return w->skin[b] > 0 ? sim->method->surface_force(s, b) : sum;
-    uint32_t cell = sph2d__cells_find(&s->fluid_cells, w->x[b], w->y[b]);
-    if (w->bounce[b] >= 0 || cell == UINT32_MAX)
-        return sum;
-    sph2d__ranges ranges;
-    sph2d__cells_ranges(&s->fluid_cells, cell, &ranges);
-    SPH2D__FOR_NEIGHBOURS (&ranges, r, i) {
-        double dx = f->x[i] - (w->x[b] + ranges.x[r]), dy = f->y[i] - (w->y[b] + ranges.y[r]);
-        if (!(dx * dx + dy * dy < s->support * s->support))
-            continue;
-        sph2d__wall_force force = sim->method->wall_force(s, i, b, dx, dy);
-        sum.pressure.x += force.pressure.x;
-        sum.pressure.y += force.pressure.y;
-        sum.friction.x += force.friction.x;
-        sum.friction.y += force.friction.y;
-    }
-    return sum;
+        return s->walls.skin[b] > 0 ? sim->method->surface_force(s, b) : (sph2d__wall_force){{0, 0}, {0, 0}};
+    return force_around(s, sim->method, b);
 }
 
 /** Whether any load is on a wall. */
@@ -222,7 +209,8 @@ static void sum_sides(const sph2d_sim *sim, size_t index)
     if (!(s->forces.springs.stiffness > 0 || sim->method->side_push) || load->wall >= SPH2D__WALL_OBSTACLE)
         return;
     const side_load with = {sim, {load->wall, load->about}};
-    const sph2d__slab_sum sum = sph2d__sum_fluid(s, sum_side_forces, &with);
+    const sph2d__slab_sum sum = sph2d__is_on_device(s) ? sph2d__device_sum(s, "sum_sides", &with.on, sizeof with.on)
+                                                       : sph2d__sum_fluid(s, sum_side_forces, &with);
     state->springs = (sph2d__pull){s->mass * sum.first, s->mass * sum.second, s->mass * sum.third};
     state->pressure.x += s->mass * sum.x;
     state->pressure.y += s->mass * sum.y;
@@ -236,9 +224,11 @@ void sph2d__loads_find(sph2d_sim *sim, double kept)
         return;
     const sph2d__pull none = {0, 0, 0};
     size_t walls = sim->system.walls.count;
+    if (sph2d__is_on_device(&sim->system))
+        sph2d__device_wall_forces(&sim->system, l->forces);
 #pragma omp taskloop num_tasks(sph2d__tasks(walls, SPH2D__LOOK_GRAIN)) if (walls > SPH2D__LOOK_GRAIN)
     for (size_t b = 0; b < walls; ++b)
-        if (any_matches(l, l->walls[sim->system.walls.id[b]]))
+        if (!sph2d__is_on_device(&sim->system) && any_matches(l, l->walls[sim->system.walls.id[b]]))
             l->forces[b] = sph2d__sim_force_of_wall(sim, b);
     if (l->tensions) {
         memset(l->tensions, 0, walls * sizeof *l->tensions);

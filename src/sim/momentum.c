@@ -15,6 +15,8 @@
  *  step alone. Particles that openings hold have forces that are not known, and so have walls of fitted operators. */
 #include <math.h>
 
+#include "methods/common/on_device.h"
+#include "methods/common/slabs.h"
 #include "sim/balance.h"
 #include "sim/simulation.h"
 
@@ -59,7 +61,9 @@ static sums sum(const sph2d_sim *sim, sph2d_vec2 gravity)
     external.springs.stiffness = 0; /* which are walls */
     external.gravity.x = gravity.x;
     external.gravity.y = gravity.y;
-    const sph2d__slab_sum s = sph2d__sum_fluid(&sim->system, sum_slab, &external);
+    const sph2d__slab_sum s = sph2d__is_on_device(&sim->system)
+                                  ? sph2d__device_sum(&sim->system, "sum_momentum", &gravity, sizeof gravity)
+                                  : sph2d__sum_fluid(&sim->system, sum_slab, &external);
     const double m = sim->system.mass;
     return (sums){{m * s.x, m * s.y}, {m * s.first, m * s.second}, m * s.third};
 }

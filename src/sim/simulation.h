@@ -11,6 +11,7 @@
 #include "scene/solids.h"
 #include "scene/world.h"
 #include "sim/bodies.h"
+#include "sim/device_data.h"
 #include "sim/loads.h"
 #include "sim/openings.h"
 #include "sim/outlines.h"
@@ -45,6 +46,7 @@ struct sph2d_sim {
     sph2d_plan plan;
 
     sph2d__system system;
+    sph2d__tables tables;
     const sph2d__method *method;
     int threads; /**< wanted; 0: those of OpenMP, or fewer */
     sph2d__barrier barrier;
@@ -66,6 +68,9 @@ struct sph2d_sim {
     double *gauges;                           /**< of each probe: the pressure on its face, and its reading [Pa] */
     bool gauges_lag;                          /**< whether a gauge has a rise time */
     sph2d__tracers tracers;
+    sph2d__contact *contacts; /**< on a device: what walls did to particles in a step, for loads ... */
+    uint32_t *contact_count;  /**< ... and how many they are ... */
+    uint32_t contact_room;    /**< ... for which there is room */
     unsigned char *to_remove; /**< flags of particles to remove */
     size_t to_remove_capacity;
 
@@ -97,10 +102,11 @@ void sph2d__sim_set_drift_interval(sph2d_sim *sim, double from, double to);
  *  is there always. */
 bool sph2d__path_at(const sph2d_path *path, double time, sph2d_vec2 *at);
 
-/** Whether a step ran out of memory: it ended in the middle, and the cells may not be those of the particles. */
+/** Whether a step ran out of memory, or its device failed: it ended in the middle, and the cells may not be those of the
+ *  particles. */
 static inline bool sph2d__sim_is_broken(const sph2d_sim *sim)
 {
-    return sim->stopped == SPH2D_NOMEM;
+    return sim->stopped == SPH2D_NOMEM || sim->stopped == SPH2D_DEVICE;
 }
 
 /** The scene's parameters that known flows use. */

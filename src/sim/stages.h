@@ -25,6 +25,9 @@ typedef void sph2d__batch_work(sph2d_sim *sim, double dt, sph2d__batch *batch);
  *  velocities (advect.c). `after` may be NULL. SPH2D_GUARD when a position is not finite. */
 sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after);
 
+/** Books what happened to particles in an advection. */
+void sph2d__advected(sph2d_sim *sim, const sph2d__events *met);
+
 /** Sorts the fluid into its cells. SPH2D_OK or SPH2D_NOMEM. */
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim);
 
@@ -34,11 +37,5 @@ void sph2d__limit_shift(sph2d__system *s, double gain, double limit, double dt);
 
 /** Moves a(n) to old_ax and old_ay, so that the second kick can undo the prediction. */
 void sph2d__keep_accelerations(sph2d__store *fluid);
-
-/** Predicts the velocity with which a(n+1) is evaluated: v(n+1/2) + dt/2 a(n). */
-sph2d__batch_work sph2d__predict;
-
-/** From the predicted v(n+1/2) + dt/2 a(n) to v(n+1/2) + dt/2 a(n+1). */
-void sph2d__second_kick(sph2d__system *s, double dt);
 
 #endif

@@ -20,8 +20,10 @@
  *  viscous power, and the pressure on moving obstacles is not known. */
 #include <math.h>
 
+#include "methods/common/slabs.h"
 #include "methods/common/state_equation.h"
 #include "sim/balance.h"
+#include "sim/device_steps.h"
 #include "sim/simulation.h"
 
 /* Most and fewest steps between samples of friction and diffusion, each of which costs the sums of another step. Between
@@ -67,10 +69,9 @@ typedef struct wall_powers {
 } wall_powers;
 
 /** Adds the powers of one boundary particle on the liquid around it. */
-static void add_wall(const sph2d_sim *sim, size_t b, wall_powers *power)
+static void add_wall(const sph2d_sim *sim, size_t b, sph2d__wall_force force, wall_powers *power)
 {
     const sph2d__store *w = &sim->system.walls;
-    const sph2d__wall_force force = sph2d__sim_force_of_wall(sim, b);
     double friction_power = w->vx[b] * force.friction.x + w->vy[b] * force.friction.y;
     const bool free = w->id[b] >= sim->bodies.first && w->id[b] < sim->bodies.end;
     power->friction += free && sim->method->books_all ? 0 : friction_power;
@@ -83,9 +84,16 @@ static wall_powers powers_of_walls(const sph2d_sim *sim)
 {
     const sph2d__store *w = &sim->system.walls;
     wall_powers power = {0, 0};
-    for (size_t b = 0; sim->method->wall_force && b < w->count; ++b)
-        if (w->vx[b] != 0 || w->vy[b] != 0)
-            add_wall(sim, b, &power);
+    bool found = false;
+    for (size_t b = 0; sim->method->wall_force && b < w->count; ++b) {
+        if (w->vx[b] == 0 && w->vy[b] == 0)
+            continue;
+        if (sph2d__is_on_device(&sim->system) && !found)
+            sph2d__device_wall_forces(&sim->system, sim->loads.forces);
+        found = true;
+        add_wall(sim, b, sph2d__is_on_device(&sim->system) ? sim->loads.forces[b] : sph2d__sim_force_of_wall(sim, b),
+                 &power);
+    }
     return power;
 }
 
@@ -118,7 +126,11 @@ static void sum_power(sph2d__system *s, const sph2d__slab *slab, const void *wit
 static double power_of(const sph2d_sim *sim, sph2d__work_kind kind)
 {
     const sph2d__system *s = &sim->system;
-    return sph2d__forces_drive_at_all(&s->forces, kind) ? s->mass * sph2d__sum_fluid(s, sum_power, &kind).first : 0;
+    if (!sph2d__forces_drive_at_all(&s->forces, kind))
+        return 0;
+    return s->mass * (sph2d__is_on_device(s) ? sph2d__device_sum(s, "sum_power", &kind, sizeof kind)
+                                             : sph2d__sum_fluid(s, sum_power, &kind))
+                         .first;
 }
 
 double sph2d__sim_power_of_forces(const sph2d_sim *sim)
@@ -169,8 +181,12 @@ static void reverse_all(sph2d_sim *sim)
         f->stretch[i] = -f->stretch[i];
         f->shear[i] = -f->shear[i];
     }
-    reverse(f);
+    if (sph2d__is_on_device(s))
+        sph2d__device_span(s, "reverse_velocities", f->count);
+    else
+        reverse(f);
     reverse(&s->walls);
+    sph2d__host_changed_walls(s);
     if (sim->moving_count > 0)
         s->forces.frame.omega = -s->forces.frame.omega;
 }
@@ -204,7 +220,8 @@ typedef struct powers {
 
 static powers powers_of_all(const sph2d__system *s)
 {
-    const sph2d__slab_sum sum = sph2d__sum_fluid(s, sum_work, NULL);
+    const sph2d__slab_sum sum =
+        sph2d__is_on_device(s) ? sph2d__device_sum(s, "sum_work", NULL, 0) : sph2d__sum_fluid(s, sum_work, NULL);
     return (powers){s->mass * sum.first, s->mass * sum.second};
 }
 

@@ -14,6 +14,8 @@
 #include <string.h>
 
 #define SPH2D__INLINE static inline __attribute__((always_inline))
+/** Lane l of a vector; devices have one (src/device/clc). */
+#define SPH2D__LANE(a, l) ((a)[l])
 
 #if defined(SPH2D__MIXED)
 #include "simd/lanes_float.h"

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include <sph2d/contacts.h>
+#include <sph2d/device.h>
 #include <sph2d/io.h>
 #include <sph2d/state.h>
 
@@ -18,6 +19,7 @@ enum { MOST = 16 };
 
 /* How each scene is run, and whether a number of threads has changed anything. */
 static struct {
+    int device;
     uint64_t steps;
     double particles;
     int threads[MOST], count;
@@ -118,11 +120,13 @@ typedef struct outcome {
     size_t particles;
 } outcome;
 
-static outcome run(const sph2d_scene *scene, sph2d_isa isa, int threads)
+static outcome run(const sph2d_scene *scene, sph2d_isa isa, int threads, int device)
 {
     sph2d_sim_options options = sph2d_sim_options_default();
     options.isa = isa;
     options.threads = threads;
+    options.device = device;
+    options.same_bits = true;
     sph2d_sim *sim = NULL;
     sph2d_status status = sph2d_sim_create(scene, &options, &sim, NULL);
     sph2d_contacts_attach(sim);
@@ -143,15 +147,36 @@ static void print_outcome(const outcome *o)
                (unsigned long long)o->particle_hash, (unsigned long long)o->summary_hash);
 }
 
+static bool is_same(const outcome *a, const outcome *b)
+{
+    return a->status == b->status && a->steps == b->steps && a->particle_hash == b->particle_hash &&
+           a->summary_hash == b->summary_hash;
+}
+
+/** The processor's baseline, and what a device did otherwise; nothing where no device takes the scene. */
+static void run_on_device(const sph2d_scene *scene, const char *name, const char *method)
+{
+    if (sph2d_device_refuses(scene))
+        return;
+    const outcome first = run(scene, SPH2D_ISA_BASELINE, 1, 0), o = run(scene, SPH2D_ISA_BASELINE, 1, wanted.device);
+    printf("%s %s", name, method);
+    print_outcome(&first);
+    if (!is_same(&o, &first)) {
+        printf("; by the device");
+        print_outcome(&o);
+        wanted.differs = true;
+    }
+    putchar('\n');
+}
+
 /** By the first number of threads, and what the others did otherwise. */
 static void run_and_print(const sph2d_scene *scene, sph2d_isa isa)
 {
-    outcome first = run(scene, isa, wanted.threads[0]);
+    outcome first = run(scene, isa, wanted.threads[0], 0);
     print_outcome(&first);
     for (int k = 1; k < wanted.count; ++k) {
-        outcome o = run(scene, isa, wanted.threads[k]);
-        if (o.status == first.status && o.steps == first.steps && o.particle_hash == first.particle_hash &&
-            o.summary_hash == first.summary_hash)
+        outcome o = run(scene, isa, wanted.threads[k], 0);
+        if (is_same(&o, &first))
             continue;
         printf("; by %d threads", wanted.threads[k]);
         print_outcome(&o);
@@ -167,7 +192,9 @@ static void run_all(const char *path, const char *name, const char *const method
     const bool again = file && own &&
                        memcmp(&sph2d_scene_file_scene(file)->method, &sph2d_scene_file_scene(own)->method,
                               sizeof(sph2d_method_options)) == 0;
-    for (sph2d_isa isa = SPH2D_ISA_BASELINE; file && !again && isa <= SPH2D_ISA_AVX512; ++isa)
+    if (wanted.device > 0 && file && !again)
+        run_on_device(sph2d_scene_file_scene(file), name, method[0]);
+    for (sph2d_isa isa = SPH2D_ISA_BASELINE; file && !again && wanted.device == 0 && isa <= SPH2D_ISA_AVX512; ++isa)
         if (sph2d_isa_available(isa)) {
             printf("%s %s %s", name, method[0], sph2d_isa_name(isa));
             run_and_print(sph2d_scene_file_scene(file), isa);
@@ -178,11 +205,16 @@ static void run_all(const char *path, const char *name, const char *const method
 
 int main(int argc, char **argv)
 {
+    if (argc > 2 && strcmp(argv[1], "--device") == 0) {
+        wanted.device = (int)strtol(argv[2], NULL, 10);
+        argc -= 2;
+        argv += 2;
+    }
     const bool only_own = argc > 1 && strcmp(argv[1], "--own") == 0;
     argc -= only_own;
     argv += only_own;
     if (argc != 3 && (argc < 6 || argc > 5 + MOST)) {
-        fputs("usage: golden [--own] SCENE.yaml NAME [STEPS PARTICLES THREADS...]\n", stderr);
+        fputs("usage: golden [--device N] [--own] SCENE.yaml NAME [STEPS PARTICLES THREADS...]\n", stderr);
         return 2;
     }
     if (argc > 3) {

@@ -66,7 +66,7 @@ static inline sph2d__grouping sph2d__grouping_of(const sph2d__store *store, cons
 /** Sets the bounding box of a group. */
 static inline void sph2d__group_box(const sph2d__store *store, sph2d__group *g)
 {
-    const double *x = store->x + g->first, *y = store->y + g->first;
+    SPH2D__ARRAY const double *x = store->x + g->first, *y = store->y + g->first;
     double low_x = x[0], low_y = y[0], high_x = x[0], high_y = y[0];
     for (int l = 1; l < g->count; ++l) {
         low_x = x[l] < low_x ? x[l] : low_x;
@@ -82,7 +82,7 @@ static inline void sph2d__group_box(const sph2d__store *store, sph2d__group *g)
 
 /** The group that starts at particle i and ends before particle `last`. Not inlined: there is a copy of the loops for
  *  each set of terms, and compilers would inline it into some of them. */
-static __attribute__((noinline, unused)) sph2d__group sph2d__group_at(const sph2d__grouping *by, size_t i, size_t last)
+SPH2D__OUTLINE sph2d__group sph2d__group_at(const sph2d__grouping *by, size_t i, size_t last)
 {
     const sph2d__cells *c = by->cells;
     uint32_t cell = c->cell[c->order[i]], row = cell / c->nx, next = cell + by->columns + 1;
@@ -101,8 +101,7 @@ static __attribute__((noinline, unused)) sph2d__group sph2d__group_at(const sph2
 }
 
 /** The particles in the cells of a patch and around it. */
-static __attribute__((noinline, unused)) void sph2d__patch_ranges(const sph2d__cells *cells, const sph2d__patch *p,
-                                                                  sph2d__ranges *to)
+SPH2D__OUTLINE void sph2d__patch_ranges(const sph2d__cells *cells, const sph2d__patch *p, sph2d__ranges *to)
 {
 #ifdef SPH2D__MIXED
     const bool tiled = true;
@@ -117,7 +116,7 @@ static __attribute__((noinline, unused)) void sph2d__patch_ranges(const sph2d__c
     }
     int count = 0;
     for (uint32_t row = p->bottom - 1; row <= p->top + 1; ++row) {
-        const uint32_t *start = cells->start + (size_t)row * cells->nx;
+        SPH2D__ARRAY const uint32_t *start = cells->start + (size_t)row * cells->nx;
         if (start[first] == start[last + 1])
             continue;
         to->begin[count] = start[first];
@@ -140,7 +139,7 @@ static inline bool sph2d__group_others(const sph2d__grouping *by, const sph2d__g
 }
 
 /** Loads values of a group, one in each lane, plus an offset: for coordinates the image offset of a range. */
-SPH2D__INLINE sph2d__lanes sph2d__group_lanes(const double *from, double offset)
+SPH2D__INLINE sph2d__lanes sph2d__group_lanes(SPH2D__ARRAY const double *from, double offset)
 {
 #ifdef SPH2D__MIXED
     sph2d__real moved[SPH2D__LANES];
@@ -180,7 +179,7 @@ static inline void sph2d__sieve_start(sph2d__sieve *sieve, const sph2d__ranges *
 /** Finds the next candidates, whose positions are in `x` and `y`. False when there are none left. */
 #ifdef __AVX__
 SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const sph2d__ranges *ranges,
-                               const sph2d__real *x, const sph2d__real *y)
+                               SPH2D__ARRAY const sph2d__real *x, SPH2D__ARRAY const sph2d__real *y)
 {
     int r = sieve->range;
     if (r >= ranges->count)
@@ -221,7 +220,7 @@ SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const
     for (size_t k_##j = 0, j; k_##j < (sieve).count && (j = (sieve).index[k_##j], true); ++k_##j)
 #else
 SPH2D__INLINE bool sph2d__sift(sph2d__sieve *sieve, const sph2d__group *g, const sph2d__ranges *ranges,
-                               const sph2d__real *x, const sph2d__real *y)
+                               SPH2D__ARRAY const sph2d__real *x, SPH2D__ARRAY const sph2d__real *y)
 {
     (void)g;
     (void)x;

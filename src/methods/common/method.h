@@ -5,6 +5,8 @@
 #define SPH2D_METHODS_COMMON_METHOD_H
 
 #include "methods/common/system.h"
+#include "methods/common/wall_force.h"
+#include "sph2d/sim.h"
 
 /** What limits a step; in the order of sph2d_summary.limited_by. */
 typedef enum sph2d__limit {
@@ -14,11 +16,6 @@ typedef enum sph2d__limit {
     SPH2D__LIMIT_FIXED,
     SPH2D__LIMIT_COUNT
 } sph2d__limit;
-
-/** Force of a boundary particle on a fluid particle [N/m]. */
-typedef struct sph2d__wall_force {
-    sph2d_vec2 pressure, friction;
-} sph2d__wall_force;
 
 typedef struct sph2d__method {
     const char *name;

@@ -4,6 +4,7 @@
 #include "methods/common/slabs.h"
 
 #include "base/parallel.h"
+#include "methods/common/on_device.h"
 
 /** Slab k of a store. */
 static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
@@ -15,7 +16,7 @@ static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
 /* The fewest slabs that are shared among threads, and the most whose sums wait at a time to be added in their order. */
 enum { MIN_SLABS = 4, ROUND = 1024 };
 
-static void add(sph2d__slab_sum *total, const sph2d__slab_sum *sum)
+void sph2d__slab_add(sph2d__slab_sum *total, const sph2d__slab_sum *sum)
 {
     total->first += sum->first;
     total->second += sum->second;
@@ -39,7 +40,7 @@ static void over_round(sph2d__system *s, bool walls, size_t from, size_t to, sph
         all[k - from] = sum;
     }
     for (size_t k = from; k < to; ++k)
-        add(total, &sums[k - from]);
+        sph2d__slab_add(total, &sums[k - from]);
 }
 
 /** Work on all slabs of a store. */
@@ -68,7 +69,7 @@ sph2d__slab_sum sph2d__over_rows(sph2d__system *s, sph2d__slab_work *work, const
     sph2d__slab_sum total = over(s, false, work, with);
     if (s->walls_press) {
         const sph2d__slab_sum of_walls = over(s, true, work, with);
-        add(&total, &of_walls);
+        sph2d__slab_add(&total, &of_walls);
     }
     return total;
 }
@@ -79,8 +80,12 @@ static void over_slab(sph2d__system *s, size_t k, size_t count, sph2d__span_work
     work(s, first, last < count ? last : count);
 }
 
-void sph2d__over_particles(sph2d__system *s, size_t count, sph2d__span_work *work)
+void sph2d__over_particles(sph2d__system *s, size_t count, sph2d__span_work *work, const char *kernel)
 {
+    if (sph2d__is_on_device(s)) {
+        sph2d__device_span(s, kernel, count);
+        return;
+    }
     size_t slabs = sph2d__slabs(count);
 #pragma omp taskloop num_tasks(sph2d__tasks(slabs, 1)) if (slabs >= MIN_SLABS) firstprivate(work)
     for (size_t k = 0; k < slabs; ++k)

@@ -7,21 +7,10 @@
 #ifndef SPH2D_METHODS_COMMON_SLABS_H
 #define SPH2D_METHODS_COMMON_SLABS_H
 
-#include "methods/common/system.h"
+#include "methods/common/slab.h"
 
-/** Partial sums of a loop over the particles of a slab. */
-typedef struct sph2d__slab_sum {
-    double first, second, third, fourth; /**< sums */
-    double x, y;                         /**< of a vector */
-    double most;                         /**< a maximum, at least 0 */
-} sph2d__slab_sum;
-
-/** Particles `first` to `last` - 1 of a store. */
-typedef struct sph2d__slab {
-    sph2d__store *rows;
-    bool walls; /**< of boundary particles */
-    size_t first, last;
-} sph2d__slab;
+/** Adds sums to a total. */
+void sph2d__slab_add(sph2d__slab_sum *total, const sph2d__slab_sum *sum);
 
 /** Work on a slab; `sum` is zero at first. */
 typedef void sph2d__slab_work(sph2d__system *system, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum);
@@ -38,8 +27,9 @@ sph2d__slab_sum sph2d__over_rows(sph2d__system *system, sph2d__slab_work *work, 
 /** Work on particles `first` to `last` - 1 of a store. */
 typedef void sph2d__span_work(sph2d__system *system, size_t first, size_t last);
 
-/** Calls `work` on particles 0 to count - 1, in slabs that threads share. */
-void sph2d__over_particles(sph2d__system *system, size_t count, sph2d__span_work *work);
+/** Calls `work` on particles 0 to count - 1, in slabs that threads share; where a device has the particles, runs its kernel of that
+ *  name (on_device.h), which is NULL in methods that devices do not know. */
+void sph2d__over_particles(sph2d__system *system, size_t count, sph2d__span_work *work, const char *kernel);
 
 /** Begins the same, and returns while threads may still be at it: the caller waits for them by `omp taskwait`. */
 void sph2d__begin_over_particles(sph2d__system *system, size_t count, sph2d__span_work *work);

@@ -10,7 +10,8 @@
 #include "forces/forces.h"
 #include "particles/cells.h"
 #include "particles/neighbours.h"
-#include "sph2d/sim.h"
+#include "sph2d/machine.h"
+#include "sph2d/scene.h"
 
 /* ---- clocks ------------------------------------------------------------------------------------------------------ */
 
@@ -34,12 +35,18 @@ static inline sph2d_phase sph2d__profile_enter(sph2d__profile *profile, sph2d_ph
 
 /* ---- the system -------------------------------------------------------------------------------------------------- */
 
-/** Intervals and upper end of sph2d__system's pair_gain. */
+/** Tables, which threads of a device read where they are. */
 enum { SPH2D__PAIR_GAINS = 96, SPH2D__PAIR_GAIN_TOP = 4 };
+typedef struct sph2d__tables {
+    /** muller: G, pressure in pairs over reported pressure, at densities from 1 to SPH2D__PAIR_GAIN_TOP times rest
+     *  density */
+    double pair_gain[SPH2D__PAIR_GAINS + 1];
+} sph2d__tables;
 
 struct sph2d__rigid;
 struct sph2d__grid;
 struct sph2d__frozen;
+struct sph2d__device;
 
 /** A pair of a fluid particle with a boundary particle of a body, and the gradient of its kernel (projection.h). */
 typedef struct sph2d__body_pair {
@@ -48,24 +55,33 @@ typedef struct sph2d__body_pair {
 } sph2d__body_pair;
 
 typedef struct sph2d__body_pairs {
-    sph2d__body_pair *items;
+    SPH2D__ARRAY sph2d__body_pair *items;
     size_t capacity;
-    size_t *first; /**< of each body, and the end of the last */
-    size_t bodies; /**< room in `first`, less 1 */
+    SPH2D__ARRAY size_t *first; /**< of each body, and the end of the last */
+    size_t bodies;              /**< room in `first`, less 1 */
 } sph2d__body_pairs;
+
+/** A block that kernels of a device reach by arguments. */
+typedef struct sph2d__kernel_block {
+    const void *block;
+    size_t bytes;
+} sph2d__kernel_block;
+enum { SPH2D__KERNEL_BLOCKS = 8 };
 
 typedef struct sph2d__system {
     sph2d__store fluid, walls;
     sph2d__cells fluid_cells, wall_cells;
     sph2d__neighbours neighbours, wall_neighbours; /**< lists of fluid and boundary particles, if the method has them */
     bool walls_press;                              /**< some boundary particles exert pressure */
-    double *wall_spin;           /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */
+    SPH2D__ARRAY double
+        *wall_spin;              /**< by id of a boundary particle: its angular velocity [rad/s]; NULL: no wall turns */
     bool walls_reflect;          /**< some boundary particles reflect */
     struct sph2d__rigid *rigids; /**< the bodies that the liquid moves (boundary/rigid.h) */
     size_t rigid_count;
     sph2d__body_pairs
-        body_pairs;        /**< of their boundary particles with the liquid, in methods that solve for pressure */
-    uint32_t *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
+        body_pairs; /**< of their boundary particles with the liquid, in methods that solve for pressure */
+    SPH2D__ARRAY uint32_t
+        *rigid_index; /**< of their boundary particles, by id from the first body's first on: where they are now */
 
     bool fills; /**< liquid and solids fill the domain from the start, so that there is no surface */
 
@@ -78,7 +94,8 @@ typedef struct sph2d__system {
     double sound_speed;        /**< c0 [m/s] */
     double viscosity;          /**< dynamic; where it depends on the shear rate, the largest of a particle [Pa s] */
     const sph2d_fluid *liquid; /**< the scene's, with its regularisation */
-    double *viscosities;       /**< of the fluid's particles, where they depend on the shear rate, else NULL [Pa s] */
+    SPH2D__ARRAY double
+        *viscosities; /**< of the fluid's particles, where they depend on the shear rate, else NULL [Pa s] */
     size_t viscosity_capacity;
     struct sph2d__grid *grid;     /**< hybrid: its grid, from the first step on (methods/hybrid/grid.h) */
     struct sph2d__frozen *frozen; /**< wcsph: what stands still over a step (methods/wcsph) */
@@ -88,19 +105,17 @@ typedef struct sph2d__system {
     double corner_fill;           /**< muller: Q, times rest density [kg/m^3] */
     double side_power;            /**< muller: m */
     double modulus;               /**< muller: k, pressure over the excess of the density sum [m^2/s^2] */
-    /** muller: G, pressure in pairs over reported pressure, at densities from 1 to SPH2D__PAIR_GAIN_TOP times rest
-     *  density */
-    double pair_gain[SPH2D__PAIR_GAINS + 1];
-    double moment;               /**< first moment of the pressure gradient on a full lattice; 1 if exact */
-    double residual_gain;        /**< wcsph, fitted: gamma, factor on the fit's residual in the Laplacian */
-    double shift_gain;           /**< wcsph, fitted: shift velocity over U S (fitted.h); set for each step */
+    SPH2D__ARRAY sph2d__tables *tables; /**< what is looked up */
+    double moment;                      /**< first moment of the pressure gradient on a full lattice; 1 if exact */
+    double residual_gain;               /**< wcsph, fitted: gamma, factor on the fit's residual in the Laplacian */
+    double shift_gain;                  /**< wcsph, fitted: shift velocity over U S (fitted.h); set for each step */
     double lattice_values;       /**< wcsph: sum of f(r/H)/f(dx/H) over a full lattice, including the particle itself */
     double lattice_slopes;       /**< wcsph: sum of g(r/H) over a full lattice, without the particle itself */
     double lattice_stiffness;    /**< wcsph: what a pressure pushes back with, over p/(rho dx^2) (wcsph.c) */
     sph2d_method_options method; /**< the scene's, with all defaults filled in */
     /** Of all walls, if they have the same; else by id of a boundary particle, and not NULL. */
     sph2d_slip wall_slip;
-    const unsigned char *wall_slips;
+    SPH2D__ARRAY const unsigned char *wall_slips;
     bool walls_rough, walls_smooth; /**< some have no slip, or the friction of smooth walls */
     double slip_length;             /**< of smooth walls [m] */
     sph2d__forces forces;
@@ -121,10 +136,29 @@ typedef struct sph2d__system {
     double residual;        /**< its final compression error */
     double wanted_residual; /**< its tolerance */
 
+    struct sph2d__device
+        *device; /**< that has the particles and runs the loops (on_device.h); NULL: the processor does */
+
+    size_t points_room; /**< bytes of the points that forces have */
+
+    /* From here on kernels of a device read nothing. */
     sph2d__profile profile;
     sph2d__memory *memory;
     sph2d_isa isa;
+    sph2d__kernel_block lent[SPH2D__KERNEL_BLOCKS]; /**< what kernels read besides */
+    size_t lent_count;
 } sph2d__system;
+
+/** Whether a device has the particles; never where SPH2D__NO_DEVICE leaves devices out, as in a browser. */
+static inline bool sph2d__is_on_device(const sph2d__system *s)
+{
+#ifdef SPH2D__NO_DEVICE
+    (void)s;
+    return false;
+#else
+    return s->device != NULL;
+#endif
+}
 
 /** The slip of boundary particle b. */
 static inline sph2d_slip sph2d__slip_of(const sph2d__system *s, size_t b)

@@ -50,7 +50,7 @@ static void prepare(sph2d__system *s)
 static bool evaluate(sph2d__system *s)
 {
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__over_particles(s, s->fluid.count, passes(s)->rates);
+    sph2d__over_particles(s, s->fluid.count, passes(s)->rates, NULL);
     sph2d__state_equation_apply(s);
     sph2d__profile_enter(&s->profile, before);
     return true;

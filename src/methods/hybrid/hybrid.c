@@ -59,8 +59,8 @@ static void pack_walls(sph2d__system *s, size_t first, size_t last)
 
 static void pack(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->fluid.count, pack_fluid);
-    sph2d__over_particles(s, s->walls.count, pack_walls);
+    sph2d__over_particles(s, s->fluid.count, pack_fluid, NULL);
+    sph2d__over_particles(s, s->walls.count, pack_walls, NULL);
     if (s->grid)
         s->grid->packed = s->fluid.capacity;
 }
@@ -81,9 +81,9 @@ static bool evaluate(sph2d__system *s)
 {
     const sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     pack(s);
-    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->density);
+    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->density, NULL);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__over_particles(s, s->fluid.count, accelerate);
+    sph2d__over_particles(s, s->fluid.count, accelerate, NULL);
     sph2d__tension_add(s);
     sph2d__profile_enter(&s->profile, before);
     return true;
@@ -95,7 +95,7 @@ static void begin_order(sph2d__system *s)
 {
     if (s->grid->packed != s->fluid.capacity) { /* none were, or a source made room */
         pack(s);
-        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->pack);
+        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->pack, NULL);
     }
     s->grid->packed = 0; /* until the places at the end of the step are */
     sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->order);

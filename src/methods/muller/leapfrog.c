@@ -10,18 +10,25 @@
  *  The velocity predicted for a(n+1) makes it second order for forces that depend on velocity. For forces that depend
  *  on position alone and a fixed step it is the staggered leapfrog u(t+dt/2) = u(t-dt/2) + dt a(t) started with
  *  u(-dt/2) = u(0) - dt/2 a(0). */
+#include "methods/muller/leapfrog.h"
 #include "methods/muller/muller.h"
 #include "sim/stages.h"
 
 static void kick(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
-    const sph2d__store *f = &sim->system.fluid;
-    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        w->vx[k] = f->vx[i] + dt / 2 * f->ax[i];
-        w->vy[k] = f->vy[i] + dt / 2 * f->ay[i];
-        w->dx[k] = dt * w->vx[k];
-        w->dy[k] = dt * w->vy[k];
+    for (size_t k = 0; k < w->count; ++k) {
+        const sph2d__way way = sph2d__kick_drift(&sim->system, dt, w->first + k);
+        w->vx[k] = way.v.x;
+        w->vy[k] = way.v.y;
+        w->dx[k] = way.dx;
+        w->dy[k] = way.dy;
     }
+}
+
+static void predict(sph2d_sim *sim, double dt, sph2d__batch *w)
+{
+    for (size_t i = w->first; i < w->first + w->count; ++i)
+        sph2d__predict(&sim->system, dt, i);
 }
 
 sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
@@ -30,7 +37,7 @@ sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
     if (status != SPH2D_OK)
         return status;
     sph2d__sim_set_drift_interval(sim, sim->record.time, sim->record.time + dt);
-    status = sph2d__advect(sim, dt, kick, sph2d__predict);
+    status = sph2d__advect(sim, dt, kick, predict);
     if (status == SPH2D_OK)
         status = sph2d__sort_fluid(sim);
     if (status != SPH2D_OK)
@@ -43,6 +50,6 @@ sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt)
         return SPH2D_NOMEM;
     sph2d__loads_find(sim, 1);
     sph2d__bodies_second_kick(sim, dt); /* first: forces depend on the velocities that were predicted */
-    sph2d__second_kick(&sim->system, dt);
+    sph2d__over_particles(&sim->system, sim->system.fluid.count, sph2d__second_kick, "second_kick_pass");
     return SPH2D_OK;
 }

@@ -2,7 +2,7 @@
 /** @file muller.c
  *  Method `muller`: setup, equation of state, step limits. The pair loops are in muller_pass.c. */
 #include "methods/muller/muller.h"
-#include "methods/muller/muller_side.h"
+#include "methods/muller/muller_walls.h"
 #include "methods/terms/tension.h"
 #include "methods/terms/viscosity.h"
 
@@ -68,18 +68,8 @@ static void set_pair_gains(sph2d__system *s)
 {
     for (int k = 0; k <= SPH2D__PAIR_GAINS; ++k) {
         double density = 1 + (double)k * (SPH2D__PAIR_GAIN_TOP - 1) / SPH2D__PAIR_GAINS;
-        s->pair_gain[k] = sph2d__muller_pair_gain(s->support, s->spacing, compressed_spacing(s, density));
+        s->tables->pair_gain[k] = sph2d__muller_pair_gain(s->support, s->spacing, compressed_spacing(s, density));
     }
-}
-
-/** G, the pressure in pairs over that of the equation of state, at a density over rest density. */
-static double pair_gain(const sph2d__system *s, double density)
-{
-    double position = (density - 1) * SPH2D__PAIR_GAINS / (SPH2D__PAIR_GAIN_TOP - 1);
-    if (!(position < SPH2D__PAIR_GAINS))
-        return s->pair_gain[SPH2D__PAIR_GAINS];
-    int k = position > 0 ? (int)position : 0;
-    return s->pair_gain[k] + fmax(position - k, 0) * (s->pair_gain[k + 1] - s->pair_gain[k]);
 }
 
 static void prepare(sph2d__system *s)
@@ -93,73 +83,23 @@ static void prepare(sph2d__system *s)
     set_wall_masses(s);
 }
 
-/** The pressure of a lattice, P k (rho - rho0), if positive. */
-static double pressure_of(const sph2d__system *s, double density)
-{
-    double p = s->modulus * (density - s->rest_density);
-    return p > 0 ? p : 0;
-}
-
-/** Sets pressures and volumes. */
-static void set_pressures(sph2d__system *s)
-{
-    const sph2d__store *fluid = &s->fluid;
-#pragma omp taskloop num_tasks(sph2d__tasks(fluid->count, SPH2D__GRAIN)) if (fluid->count > SPH2D__GRAIN)
-    for (size_t i = 0; i < fluid->count; ++i) {
-        fluid->pressure[i] = pressure_of(s, fluid->density[i]);
-        fluid->acting_pressure[i] = pair_gain(s, fluid->density[i] / s->rest_density) * fluid->pressure[i];
-        fluid->volume[i] = s->mass / fluid->density[i];
-    }
-}
-
 static bool evaluate(sph2d__system *s)
 {
     const sph2d__muller_passes *pass = sph2d__muller_passes_find(s->isa);
     sph2d__store *fluid = &s->fluid, *walls = &s->walls;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
-    sph2d__over_particles(s, fluid->count, pass->density);
-    set_pressures(s);
+    sph2d__over_particles(s, fluid->count, pass->density, "density_pass");
+    sph2d__over_particles(s, fluid->count, pass->pressures, "pressures_pass");
     if (s->walls_press) {
         sph2d__profile_enter(&s->profile, SPH2D_PHASE_WALLS);
-        sph2d__over_particles(s, walls->count, pass->wall_density);
-        for (size_t b = 0; b < walls->count; ++b) {
-            walls->pressure[b] = pressure_of(s, walls->density[b]);
-            walls->volume[b] = s->walls.mass[b] / walls->density[b];
-        }
+        sph2d__over_particles(s, walls->count, pass->wall_density, "wall_density_pass");
+        sph2d__over_particles(s, walls->count, pass->wall_pressures, "wall_pressures_pass");
     }
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__over_particles(s, fluid->count, pass->force);
+    sph2d__over_particles(s, fluid->count, pass->force, "force_pass");
     sph2d__tension_add(s);
     sph2d__profile_enter(&s->profile, before);
     return true;
-}
-
-static void side_push(const sph2d__system *s, size_t i, double push[4])
-{
-    const sph2d__store *f = &s->fluid;
-    const sph2d__springs *w = &s->forces.springs;
-    const double distances[4] = {f->x[i] - w->left, w->right - f->x[i], f->y[i] - w->bottom, w->top - f->y[i]};
-    sph2d__side_part parts[2];
-    sph2d__sides_at(s, f->x[i], f->y[i], parts);
-    for (int side = 0; side < 4; ++side) {
-        sph2d__side_part part = {0, 0};
-        if (distances[side] < s->support)
-            sph2d__side_add(s, distances[side], &part);
-        push[side] = f->pressure[i] / (f->density[i] * f->density[i]) *
-                     (s->side_fill + s->corner_fill * parts[1 - side / 2].value) * part.slope;
-    }
-}
-
-static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
-{
-    const sph2d__store *f = &s->fluid, *w = &s->walls;
-    double h2 = s->support * s->support, d = h2 - dx * dx - dy * dy, density = f->density[i],
-           volume = s->mass / density;
-    double press = volume * 6 * sph2d__poly6_constant(s->support) * f->pressure[i] / density * d * d * w->mass[b];
-    double drag =
-        s->viscosity * sph2d__viscosity_constant(s->support) * volume * (s->support - sqrt(h2 - d)) * w->volume[b];
-    return (sph2d__wall_force){.pressure = {press * dx, press * dy},
-                               .friction = {drag * (w->vx[b] - f->vx[i]), drag * (w->vy[b] - f->vy[i])}};
 }
 
 static double stable_step(const sph2d__system *s, double speed, double acceleration, sph2d__limit *limit)

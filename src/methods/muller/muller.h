@@ -38,8 +38,12 @@ sph2d_status sph2d__leapfrog(sph2d_sim *sim, double dt);
 typedef struct sph2d__muller_passes {
     /** Sets the density of the fluid, from fluid and walls. */
     sph2d__span_work *density;
+    /** Sets pressures and volumes, from densities. */
+    sph2d__span_work *pressures;
     /** Sets the density of boundary particles: rest density, by the boundary itself, plus that by the fluid. */
     sph2d__span_work *wall_density;
+    /** Sets their pressures and volumes. */
+    sph2d__span_work *wall_pressures;
     /** Sets the acceleration of the fluid, from densities, pressures and volumes. */
     sph2d__span_work *force;
 } sph2d__muller_passes;

@@ -6,7 +6,6 @@
 
 #include "kernels/muller.h"
 #include "methods/common/group.h"
-#include "methods/muller/muller.h"
 #include "methods/muller/muller_side.h"
 #include "methods/terms/viscosity.h"
 

@@ -102,7 +102,7 @@ static void set_drags(sph2d__system *s, size_t first, size_t last)
 void sph2d__friction_set(sph2d__system *s)
 {
     if (sph2d__has_friction(s))
-        sph2d__over_particles(s, s->walls.count, set_drags);
+        sph2d__over_particles(s, s->walls.count, set_drags, NULL);
 }
 
 static inline sph2d_vec2 force_of(const sph2d__system *s, size_t b, double dx, double dy)
@@ -140,5 +140,5 @@ static void add_accelerations(sph2d__system *s, size_t first, size_t last)
 void sph2d__friction_add(sph2d__system *s)
 {
     if (sph2d__has_friction(s))
-        sph2d__over_particles(s, s->fluid.count, add_accelerations);
+        sph2d__over_particles(s, s->fluid.count, add_accelerations, NULL);
 }

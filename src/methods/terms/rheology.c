@@ -70,7 +70,7 @@ bool sph2d__rheology_set(sph2d__system *s)
         return true;
     if (!reserve(s))
         return false;
-    sph2d__over_particles(s, s->fluid.count, set_some);
+    sph2d__over_particles(s, s->fluid.count, set_some, NULL);
     double most = 0;
     for (size_t i = 0; i < s->fluid.count; ++i)
         most = fmax(most, s->viscosities[i]);

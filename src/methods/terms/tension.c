@@ -295,7 +295,7 @@ void sph2d__tension_add(sph2d__system *s)
     if (!(s->surface_tension > 0))
         return;
     sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__over_particles(s, s->fluid.count, add_accelerations);
+    sph2d__over_particles(s, s->fluid.count, add_accelerations, NULL);
     sph2d__profile_enter(&s->profile, before);
 }
 

@@ -27,7 +27,7 @@
 #include "simd/lanes.h"
 
 /** The weight of the central form, 8/(2 <r^2>) [1/m^2]. */
-double sph2d__central_weight(sph2d_kernel kernel, double support);
+double sph2d__central_weight(sph2d_kernel kind, double support);
 
 /** The viscosity of method `muller` [Pa s]: that of the liquid, at least alpha rho0 c0 H. */
 double sph2d__viscosity_at_least(const sph2d__system *system);
@@ -38,7 +38,7 @@ double sph2d__viscosity_at_least(const sph2d__system *system);
  *  0.073 over W(0) H^2 for all kernels; this is 0.067 over it, 0.03 for Wendland's C2. The central form's step is half of
  *  it: one over its largest eigenvalue is 0.0166 to 0.0218 there for Wendland's C2, 0.0099 to 0.0129 for C6 (H/dx 2.4 to
  *  4), where halves are 0.0150 and 0.0094. */
-double sph2d__viscosity_step(sph2d_kernel kernel);
+double sph2d__viscosity_step(sph2d_kernel kind);
 
 /* ---- pair terms -------------------------------------------------------------------------------------------------- */
 

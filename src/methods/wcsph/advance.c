@@ -332,7 +332,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
     sph2d__system *s = &sim->system;
     const double start = sim->record.time, middle = start + dt / 2, end = start + dt;
     sph2d__bodies_drift(sim, dt);
-    sph2d__over_particles(s, s->fluid.count, go_to_middle);
+    sph2d__over_particles(s, s->fluid.count, go_to_middle, NULL);
     sph2d_status status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_update_forcing(sim, middle);
@@ -356,7 +356,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
         relax(sim, dt, dissipated(sim) - before);
     }
     pay_for_shift(s, dissipated(sim) - before);
-    sph2d__over_particles(s, s->fluid.count, report);
+    sph2d__over_particles(s, s->fluid.count, report, NULL);
     sph2d__sim_set_drift_interval(sim, start, middle); /* torques about what boundary particles were placed about */
     sph2d__loads_find(sim, 1);
     status = push_bodies(sim, dt);
@@ -364,7 +364,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
         return status;
     sph2d__sim_book_wall_work(sim, dt);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
-    sph2d__over_particles(s, s->fluid.count, go_back);
+    sph2d__over_particles(s, s->fluid.count, go_back, NULL);
     sph2d__sim_set_drift_interval(sim, start, end);
     status = sph2d__advect(sim, dt, go, NULL);
     if (status == SPH2D_OK)

@@ -98,8 +98,8 @@ static void loosen_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
 static double loosen(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
-    sph2d__over_particles(s, s->fluid.count, pass_of(s)->rest);
-    sph2d__over_particles(s, s->fluid.count, expect_some);
+    sph2d__over_particles(s, s->fluid.count, pass_of(s)->rest, NULL);
+    sph2d__over_particles(s, s->fluid.count, expect_some, NULL);
     sph2d__images_of_pressure(s);
     sph2d__close_find(s);
     sph2d__images_of_rest(s);
@@ -161,7 +161,7 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
 static void transpose(sph2d__system *s)
 {
     sph2d__images_of_pressure(s);
-    sph2d__over_particles(s, s->fluid.count, pass_of(s)->transpose);
+    sph2d__over_particles(s, s->fluid.count, pass_of(s)->transpose, NULL);
 }
 
 /** The product of the matrix with the direction, whose pressures are in `press`; returns their own product. */
@@ -252,16 +252,16 @@ static sph2d__slab_sum load(sph2d__system *s, bool again)
     if (s->rigid_count > 0)
         sph2d__frozen_bodies_expect(s, z->ahead);
     if (z->holds) {
-        sph2d__over_particles(s, n, press_known);
+        sph2d__over_particles(s, n, press_known, NULL);
         transpose(s);
         if (s->rigid_count > 0)
             sph2d__frozen_bodies_pull(s, z->ahead);
     }
-    sph2d__over_particles(s, n, start_motion);
+    sph2d__over_particles(s, n, start_motion, NULL);
     if (s->rigid_count > 0)
         sph2d__frozen_bodies_feed(s);
     sph2d__images_of_velocity(s);
-    sph2d__over_particles(s, n, pass_of(s)->diverge);
+    sph2d__over_particles(s, n, pass_of(s)->diverge, NULL);
     return sph2d__over_fluid(s, load_slab, again ? &again : NULL);
 }
 
@@ -325,14 +325,14 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
     factors f = {0, 0, 0};
     if (sum.third > 0) {
         first_curvature = multiply(s);
-        sph2d__over_particles(s, s->fluid.count, keep_first);
+        sph2d__over_particles(s, s->fluid.count, keep_first, NULL);
         ++count;
         f.alpha = sum.second / first_curvature;
         sum = sph2d__over_fluid(s, step_slab, &f);
         square = sum.first;
         f.gamma = sum.second / first_curvature;
     } else {
-        sph2d__over_particles(s, s->fluid.count, keep_first);
+        sph2d__over_particles(s, s->fluid.count, keep_first, NULL);
     }
     while (square > wanted && count < s->method.max_iterations) {
         sph2d__over_fluid(s, direct_slab, &f);
@@ -410,7 +410,7 @@ static void pay(sph2d__system *s, double paid)
         return;
     const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
     sph2d__over_fluid(s, take_back_slab, &part);
-    sph2d__over_particles(s, s->fluid.count, keep_found);
+    sph2d__over_particles(s, s->fluid.count, keep_found, NULL);
     solve(s, load(s, true));
 }
 
@@ -439,10 +439,10 @@ static void solve_thick(sph2d__system *s)
 {
     sph2d__thick_solve(s, false);
     solve(s, load(s, false));
-    sph2d__over_particles(s, s->fluid.count, press_found);
+    sph2d__over_particles(s, s->fluid.count, press_found, NULL);
     transpose(s);
-    sph2d__over_particles(s, s->fluid.count, expect_pressed);
-    sph2d__over_particles(s, s->fluid.count, keep_found);
+    sph2d__over_particles(s, s->fluid.count, expect_pressed, NULL);
+    sph2d__over_particles(s, s->fluid.count, keep_found, NULL);
     sph2d__thick_solve(s, true);
     solve(s, load(s, true));
 }
@@ -472,7 +472,7 @@ static void finish(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
-    sph2d__over_particles(s, s->fluid.count, press_solved);
+    sph2d__over_particles(s, s->fluid.count, press_solved, NULL);
     transpose(s);
     const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL);
     sph2d__images_of_velocity(s); /* where they are now */
@@ -493,7 +493,7 @@ void sph2d__implicit_sound(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
     bound(s, dt);
-    sph2d__over_particles(s, s->fluid.count, relax_some);
+    sph2d__over_particles(s, s->fluid.count, relax_some, NULL);
     sph2d__frozen_begin(s);
     sph2d__frozen_start_external(s);
     sph2d__images_of_velocity(s);

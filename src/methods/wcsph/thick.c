@@ -106,14 +106,14 @@ void sph2d__thick_solve(sph2d__system *s, bool again)
 {
     const size_t n = s->fluid.count;
     if (!again)
-        sph2d__over_particles(s, n, start);
-    sph2d__over_particles(s, n, see_found);
+        sph2d__over_particles(s, n, start, NULL);
+    sph2d__over_particles(s, n, see_found, NULL);
     sph2d__images_of_velocity(s);
     const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL);
     const double wanted = TOLERANCE * TOLERANCE * sum.second +
                           FLOOR * FLOOR * (double)n * s->method.max_compression * s->sound_speed * s->sound_speed;
     double left = sum.first;
-    sph2d__over_particles(s, n, see_way);
+    sph2d__over_particles(s, n, see_way, NULL);
     for (int k = 0; left > wanted && k < MOST; ++k) {
         sph2d__images_of_velocity(s);
         const double bent = sph2d__over_fluid(s, multiply_slab, NULL).first;
@@ -124,9 +124,9 @@ void sph2d__thick_solve(sph2d__system *s, bool again)
         const double keep = left / before;
         sph2d__over_fluid(s, turn_slab, &keep);
     }
-    sph2d__over_particles(s, n, see_found);
+    sph2d__over_particles(s, n, see_found, NULL);
     sph2d__images_of_velocity(s);
-    sph2d__over_particles(s, n, pass_of(s)->finish);
+    sph2d__over_particles(s, n, pass_of(s)->finish, NULL);
     if (again)
-        sph2d__over_particles(s, n, pass_of(s)->push_sides);
+        sph2d__over_particles(s, n, pass_of(s)->push_sides, NULL);
 }

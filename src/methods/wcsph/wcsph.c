@@ -102,7 +102,7 @@ static void start(sph2d__system *s, size_t first, size_t last)
 /** At the start: forces are those of a step. */
 static bool evaluate(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->fluid.count, start);
+    sph2d__over_particles(s, s->fluid.count, start, NULL);
     return true;
 }
 

@@ -31,7 +31,7 @@ static void start_some(sph2d__system *s, size_t first, size_t last)
 
 void sph2d__frozen_begin(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->fluid.count, start_some);
+    sph2d__over_particles(s, s->fluid.count, start_some, NULL);
 }
 
 /** Potential energy of a particle's part of the pairs that repel each other, and of what gravity lacks beside sides, where

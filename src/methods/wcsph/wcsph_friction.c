@@ -154,7 +154,7 @@ bool sph2d__frozen_rub(sph2d__system *s)
     sph2d__frozen *z = s->frozen;
     const size_t count = s->fluid.count;
     if (s->liquid->model != SPH2D_RHEOLOGY_NEWTONIAN)
-        sph2d__over_particles(s, count, strain_some);
+        sph2d__over_particles(s, count, strain_some, NULL);
     if (!sph2d__rheology_set(s))
         return false;
     for (size_t k = 0; s->viscosities && k < s->frozen->images.count; ++k)
@@ -162,19 +162,19 @@ bool sph2d__frozen_rub(sph2d__system *s)
     for (size_t i = count; s->viscosities && i < count + SPH2D__WIDEST; ++i)
         s->viscosities[i] = s->viscosity; /* what lists end with */
     if (s->viscosity > 0)
-        sph2d__over_particles(s, count, spare_some);
+        sph2d__over_particles(s, count, spare_some, NULL);
     z->sticks = s->walls_rough && s->walls_press && s->viscosity > 0;
     z->rubs = sph2d__has_friction(s);
     z->pulls = s->surface_tension > 0;
     if (z->sticks)
-        sph2d__over_particles(s, count, stick_some);
+        sph2d__over_particles(s, count, stick_some, NULL);
     if (!z->rubs && !z->pulls)
         return true;
-    sph2d__over_particles(s, count, clear_some);
+    sph2d__over_particles(s, count, clear_some, NULL);
     sph2d__friction_set(s);
     sph2d__friction_add(s);
-    sph2d__over_particles(s, count, take_rubbed);
+    sph2d__over_particles(s, count, take_rubbed, NULL);
     sph2d__tension_add(s);
-    sph2d__over_particles(s, count, take_pulled);
+    sph2d__over_particles(s, count, take_pulled, NULL);
     return true;
 }

@@ -335,7 +335,7 @@ bool sph2d__frozen_gather(sph2d__system *s)
         s->neighbours.lanes = pass->lanes;
         s->frozen->apart = SPH2D__CLOSE * s->spacing + fmin(MARGIN * s->speed * s->step, MOST_APART * s->spacing);
         end_rows(s);
-        sph2d__over_particles(s, s->fluid.count, keep_state);
+        sph2d__over_particles(s, s->fluid.count, keep_state, NULL);
         sph2d__images_start(s);
         s->frozen->thin = s->walls_press && s->frozen->sides.first > 0;
         if (s->frozen->thin) {
@@ -346,12 +346,12 @@ bool sph2d__frozen_gather(sph2d__system *s)
             break;
     }
     sph2d__images_of_slopes(s);
-    sph2d__over_particles(s, s->fluid.count, pass->compare);
+    sph2d__over_particles(s, s->fluid.count, pass->compare, NULL);
     s->frozen->dt =
         is_implicit(s) ? ACOUSTIC * s->support / s->sound_speed : s->step / (double)sph2d__acoustic_steps(s, s->step);
     s->frozen->most_brake = 1;
     s->frozen->repulsion =
         is_implicit(s) ? fmin(BEARS_HEAD * s->method.max_compression, SPH2D__REPULSION) : SPH2D__REPULSION;
-    sph2d__over_particles(s, s->fluid.count, bound_some);
+    sph2d__over_particles(s, s->fluid.count, bound_some, NULL);
     return !is_implicit(s) || sph2d__close_reserve(s);
 }

@@ -161,7 +161,7 @@ void sph2d__images_start(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *f = &s->fluid;
-    sph2d__over_particles(s, f->count, turn);
+    sph2d__over_particles(s, f->count, turn, NULL);
     for (size_t k = 0; k < z->images.count; ++k) {
         const image m = image_at(z, k);
         const size_t i = z->first_image + k;
@@ -251,21 +251,21 @@ static void rest_of(sph2d__system *s, size_t first, size_t last)
 
 void sph2d__images_of_sight(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->frozen->images.count, sight_of);
+    sph2d__over_particles(s, s->frozen->images.count, sight_of, NULL);
 }
 void sph2d__images_of_slopes(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->frozen->images.count, slopes_of);
+    sph2d__over_particles(s, s->frozen->images.count, slopes_of, NULL);
 }
 void sph2d__images_of_velocity(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->frozen->images.count, velocity_of);
+    sph2d__over_particles(s, s->frozen->images.count, velocity_of, NULL);
 }
 void sph2d__images_of_pressure(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->frozen->images.count, pressure_of);
+    sph2d__over_particles(s, s->frozen->images.count, pressure_of, NULL);
 }
 void sph2d__images_of_rest(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->frozen->images.count, rest_of);
+    sph2d__over_particles(s, s->frozen->images.count, rest_of, NULL);
 }

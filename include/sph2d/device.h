@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT */
+/** @file device.h
+ *  Devices that take the steps of a simulation in place of the processor: graphics cards and whatever else OpenCL 1.2
+ *  knows. Its library is looked for when one of these functions is called; nothing else needs it.
+ *
+ *      size_t count = sph2d_devices(NULL, 0);
+ *      options.device = 1;                      the first of them
+ *
+ *  A device with `same_bits` makes the results of the processor's instruction set `baseline` to the bit. */
+#ifndef SPH2D_DEVICE_H
+#define SPH2D_DEVICE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "sph2d/export.h"
+#include "sph2d/scene.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A device. Texts are cut at their size. */
+typedef struct sph2d_device {
+    char name[96];     /**< as its driver calls it */
+    char platform[64]; /**< whose OpenCL it is */
+    char driver[64];   /**< version of the driver */
+    bool gpu;          /**< a graphics card; else a processor, or something else */
+    bool same_bits;    /**< rounds correctly, divisions and roots of floats as well, and has subnormal floats */
+    char lacks[64];    /**< what a run needs and it does not have, "double precision"; empty: nothing */
+    unsigned units;    /**< compute units */
+    double memory;     /**< in all [bytes] */
+    double largest;    /**< of one block, which has to hold all of a run [bytes] */
+} sph2d_device;
+
+/** Describes up to `room` devices, in an order that stays the same until hardware or drivers change. Returns how many there
+ *  are, which may be more; 0 where there is no OpenCL. `out` may be NULL with a room of 0. */
+SPH2D_API size_t sph2d_devices(sph2d_device *out, size_t room);
+
+/** Why a device cannot take the steps of a scene, in words that follow "because": "a device does not know bodies". NULL: it can.
+ *  Static storage. */
+SPH2D_API const char *sph2d_device_refuses(const sph2d_scene *scene);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

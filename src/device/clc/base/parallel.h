@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+/** @file parallel.h
+ *  The host's threads. */

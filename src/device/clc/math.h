@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+/** @file math.h
+ *  OpenCL C has these functions built in. */

@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+/** @file stdbool.h
+ *  bool is a type of OpenCL C. */

@@ -1,0 +1,3 @@
+/* SPDX-License-Identifier: MIT */
+/** @file string.h
+ *  OpenCL C copies by assignment. */

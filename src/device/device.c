@@ -1,0 +1,455 @@
+/* SPDX-License-Identifier: MIT */
+/** @file device.c
+ *  Buffers, kernels and launches by OpenCL. */
+#include "device/device.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "device/kernels.h"
+#include "device/opencl_api.h"
+#include "sph2d/device.h"
+
+enum { MOST_BLOCKS = 1024, MOST_KERNELS = 96, LINE = 64, SLOTS = 64, SLOT = 32768, OPTIONS = 96 };
+
+/** A block that host and device have. */
+typedef struct block {
+    void *host;
+    size_t bytes;
+    uint64_t offset;
+    unsigned owner;
+    bool host_old, device_old; /* the other one has changed it */
+    bool listed;
+} block;
+
+typedef struct launcher {
+    const char *name;
+    cl_kernel kernel;
+} launcher;
+
+struct sph2d__device {
+    const sph2d__opencl *cl;
+    cl_device_id id;
+    cl_context context;
+    cl_command_queue queue;
+    cl_program program;
+    cl_mem arena, numbers, results;
+    size_t arena_bytes, used, results_bytes;
+    block blocks[MOST_BLOCKS];   /* by a hash of the address */
+    bool grows;                  /* the list needs a larger arena */
+    unsigned slot, numbers_slot; /* the last one sent, and that of what all kernels read now */
+    unsigned char (*slots)
+        [SLOT]; /* the host's copies, which the driver reads later; the last: what kernels read, as the host has it */
+    bool knows;
+    unsigned char *host_results;
+    size_t host_results_bytes;
+    launcher launchers[MOST_KERNELS];
+    size_t launcher_count;
+    sph2d__memory *memory;
+    cl_int error;
+    const char *doing, *reason; /* when the error came; and why, where it is not the driver's */
+    sph2d_device description;
+};
+
+static void fail(sph2d__device *d, cl_int error, const char *doing)
+{
+    if (error != CL_SUCCESS && d->error == CL_SUCCESS) {
+        d->error = error;
+        d->doing = doing;
+    }
+}
+
+/* ---- opening ----------------------------------------------------------------------------------------------------- */
+
+static sph2d_status refuse(sph2d_report *report, const char *hint, const char *format, const char *name)
+{
+    sph2d_diagnostic_hint(sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_UNSUPPORTED, NULL, format, name), "%s",
+                          hint);
+    return SPH2D_INVALID;
+}
+
+static const char LIST[] = "`sph2d devices` lists those that there are";
+
+static sph2d_status find(sph2d__device *d, int number, bool same_bits, sph2d_report *report)
+{
+    sph2d_device list[64];
+    cl_platform_id platform;
+    d->cl = sph2d__opencl_find();
+    if (!d->cl)
+        return refuse(report, "install a driver with OpenCL for the device, and the loader, libOpenCL.so.1%s",
+                      "there is no OpenCL on this machine%s", "");
+    const size_t count = sph2d_devices(list, sizeof list / sizeof *list);
+    d->id = number >= 1 ? sph2d__opencl_device(d->cl, (size_t)number - 1, &platform) : NULL;
+    if (!d->id || (size_t)number > sizeof list / sizeof *list) {
+        char text[64];
+        snprintf(text, sizeof text, "%d, of %zu", number, count);
+        return refuse(report, LIST, "there is no device %s", text);
+    }
+    d->description = list[number - 1];
+    if (d->description.lacks[0]) {
+        char text[192];
+        snprintf(text, sizeof text, "%s: it lacks %s", d->description.name, d->description.lacks);
+        return refuse(report, LIST, "this device cannot run simulations, %s", text);
+    }
+    if (same_bits && !d->description.same_bits)
+        return refuse(report, "without --same-bits it runs, and differs in the last digits",
+                      "%s does not round as the processor does, so that its results are not the same bits",
+                      d->description.name);
+    return SPH2D_OK;
+}
+
+static sph2d_status build(sph2d__device *d, const char *program, sph2d_report *report)
+{
+    const char *text = sph2d__kernels_of(program);
+    cl_int error = CL_SUCCESS;
+    d->program = d->cl->clCreateProgramWithSource(d->context, 1, &text, NULL, &error);
+    if (error == CL_SUCCESS)
+        error = d->cl->clBuildProgram(
+            d->program, 1, &d->id,
+            d->description.same_bits ? "-cl-std=CL1.2 -w -cl-fp32-correctly-rounded-divide-sqrt" : "-cl-std=CL1.2 -w",
+            NULL, NULL);
+    if (error == CL_SUCCESS)
+        return SPH2D_OK;
+    char log[400] = "";
+    if (error == CL_BUILD_PROGRAM_FAILURE)
+        d->cl->clGetProgramBuildInfo(d->program, d->id, CL_PROGRAM_BUILD_LOG, sizeof log - 1, log, NULL);
+    log[strcspn(log, "\n")] = '\0';
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL, "%s: %s (OpenCL error %d) %s", d->description.name,
+                     sph2d__opencl_error(error), (int)error, log);
+    return SPH2D_DEVICE;
+}
+
+static sph2d_status start(sph2d__device *d, const char *program, sph2d_report *report)
+{
+    cl_int error = CL_SUCCESS;
+    d->context = d->cl->clCreateContext(NULL, 1, &d->id, NULL, NULL, &error);
+    if (error == CL_SUCCESS)
+        d->queue = d->cl->clCreateCommandQueue(d->context, d->id, 0, &error);
+    if (error == CL_SUCCESS)
+        d->numbers = d->cl->clCreateBuffer(d->context, CL_MEM_READ_WRITE, SLOTS * SLOT, NULL, &error);
+    if (error != CL_SUCCESS) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL, "%s: %s (OpenCL error %d)", d->description.name,
+                         sph2d__opencl_error(error), (int)error);
+        return SPH2D_DEVICE;
+    }
+    return build(d, program, report);
+}
+
+sph2d__device *sph2d__device_open(int number, const char *program, bool same_bits, sph2d__memory *memory,
+                                  sph2d_status *status, sph2d_report *report)
+{
+    sph2d__device *d = sph2d__alloc(memory, 1, sizeof *d);
+    *status = SPH2D_NOMEM;
+    if (!d)
+        return NULL;
+    d->memory = memory;
+    d->slots = sph2d__alloc(memory, SLOTS + 1, SLOT);
+    if (d->slots)
+        *status = find(d, number, same_bits, report);
+    if (*status == SPH2D_OK)
+        *status = start(d, program, report);
+    if (*status == SPH2D_OK)
+        return d;
+    sph2d__device_close(d, memory);
+    return NULL;
+}
+
+void sph2d__device_close(sph2d__device *d, sph2d__memory *memory)
+{
+    if (!d)
+        return;
+    for (size_t k = 0; k < d->launcher_count; ++k)
+        d->cl->clReleaseKernel(d->launchers[k].kernel);
+    const cl_mem buffers[] = {d->arena, d->numbers, d->results};
+    for (size_t k = 0; k < sizeof buffers / sizeof *buffers; ++k)
+        if (buffers[k])
+            d->cl->clReleaseMemObject(buffers[k]);
+    if (d->program)
+        d->cl->clReleaseProgram(d->program);
+    if (d->queue)
+        d->cl->clReleaseCommandQueue(d->queue);
+    if (d->context)
+        d->cl->clReleaseContext(d->context);
+    void *blocks[] = {d->slots, d->host_results, d};
+    sph2d__release(memory, &blocks[0], d->slots ? SLOTS + 1 : 0, SLOT);
+    sph2d__release(memory, &blocks[1], d->host_results_bytes, 1);
+    sph2d__release(memory, &blocks[2], 1, sizeof *d);
+}
+
+void sph2d__device_give_up(sph2d__device *d, const char *why)
+{
+    d->reason = d->error == CL_SUCCESS ? why : d->reason;
+    fail(d, 1, "its end");
+}
+
+bool sph2d__device_failed(const sph2d__device *d, const char **why, const char **kernel)
+{
+    *why = d->reason ? d->reason : sph2d__opencl_error(d->error);
+    *kernel = d->doing;
+    return d->error != CL_SUCCESS;
+}
+
+size_t sph2d__device_bytes(const sph2d__device *d)
+{
+    return d->arena_bytes + d->results_bytes + SLOTS * SLOT;
+}
+
+const char *sph2d__device_name(const sph2d__device *d)
+{
+    return d->description.name;
+}
+
+/* ---- blocks ------------------------------------------------------------------------------------------------------ */
+
+/** The entry of a block, or an empty one for it. */
+static block *entry_of(sph2d__device *d, const void *host)
+{
+    size_t k = (size_t)((uintptr_t)host / LINE * 0x9e3779b1u) % MOST_BLOCKS;
+    while (d->blocks[k].host && d->blocks[k].host != host)
+        k = (k + 1) % MOST_BLOCKS;
+    return &d->blocks[k];
+}
+
+uint64_t sph2d__device_offset_of(const sph2d__device *d, const void *host)
+{
+    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+        if (d->blocks[k].host == host && d->blocks[k].listed)
+            return d->blocks[k].offset;
+    return 0;
+}
+
+static size_t rounded(size_t bytes)
+{
+    return (bytes + LINE - 1) / LINE * LINE;
+}
+
+void sph2d__device_list(sph2d__device *d)
+{
+    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+        d->blocks[k].listed = false;
+}
+
+uint64_t sph2d__device_place(sph2d__device *d, const void *host, size_t bytes, sph2d__owner owner)
+{
+    if (!host || bytes == 0)
+        return 0;
+    block *b = entry_of(d, host);
+    if (!b->host || b->bytes != bytes) {
+        const union {
+            const void *in;
+            void *out;
+        } same = {host}; /* the block is the caller's to write, who says so by fetching it */
+        *b = (block){.host = same.out, .bytes = bytes, .owner = owner, .device_old = true, .offset = d->used};
+        d->used += rounded(bytes);
+        d->grows = d->grows || d->used > d->arena_bytes;
+    }
+    b->listed = true;
+    return b->offset;
+}
+
+/** Makes an arena for the blocks of the list, with what the device has of them. */
+static void grow(sph2d__device *d)
+{
+    const cl_mem old = d->arena;
+    cl_int error = CL_SUCCESS;
+    size_t bytes = LINE; /* offset 0 is no block */
+    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+        bytes += d->blocks[k].listed ? rounded(d->blocks[k].bytes) : 0;
+    d->arena_bytes = bytes + bytes / 4;
+    if ((double)d->arena_bytes > d->description.largest)
+        d->arena_bytes = bytes;
+    d->arena = d->cl->clCreateBuffer(d->context, CL_MEM_READ_WRITE, d->arena_bytes, NULL, &error);
+    fail(d, error, "a larger buffer");
+    const unsigned zero = 0;
+    if (d->error == CL_SUCCESS)
+        fail(d, d->cl->clEnqueueFillBuffer(d->queue, d->arena, &zero, sizeof zero, 0, d->arena_bytes, 0, NULL, NULL),
+             "zeros");
+    block kept[MOST_BLOCKS];
+    memcpy(kept, d->blocks, sizeof kept);
+    memset(d->blocks, 0, sizeof d->blocks);
+    d->used = LINE;
+    for (size_t k = 0; k < MOST_BLOCKS; ++k) {
+        if (!kept[k].listed)
+            continue;
+        block *b = entry_of(d, kept[k].host);
+        *b = kept[k];
+        b->offset = d->used;
+        d->used += rounded(b->bytes);
+        if (old && !b->device_old && d->error == CL_SUCCESS)
+            fail(
+                d,
+                d->cl->clEnqueueCopyBuffer(d->queue, old, d->arena, kept[k].offset, b->offset, b->bytes, 0, NULL, NULL),
+                "a copy");
+    }
+    if (old && d->error == CL_SUCCESS)
+        fail(d, d->cl->clFinish(d->queue), "a copy");
+    if (old)
+        d->cl->clReleaseMemObject(old);
+}
+
+bool sph2d__device_moved(sph2d__device *d)
+{
+    size_t known = 0;
+    for (size_t k = 0; k < MOST_BLOCKS; ++k) {
+        known += d->blocks[k].host != NULL;
+        d->blocks[k].bytes = d->blocks[k].listed ? d->blocks[k].bytes : 0; /* one that comes to the same place is new */
+    }
+    const bool moves = (d->grows || known > MOST_BLOCKS / 2) && d->error == CL_SUCCESS;
+    if (moves)
+        grow(d);
+    d->grows = false;
+    return moves;
+}
+
+static void send_old(sph2d__device *d)
+{
+    for (size_t k = 0; k < MOST_BLOCKS; ++k) {
+        block *b = &d->blocks[k];
+        if (!b->listed || !b->device_old || d->error != CL_SUCCESS)
+            continue;
+        fail(d, d->cl->clEnqueueWriteBuffer(d->queue, d->arena, 1, b->offset, b->bytes, b->host, 0, NULL, NULL),
+             "sending");
+        b->device_old = false;
+    }
+}
+
+void sph2d__device_fetch(sph2d__device *d, void *host)
+{
+    block *b = host ? entry_of(d, host) : NULL;
+    if (!b || !b->host || !b->host_old || d->error != CL_SUCCESS)
+        return;
+    fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->arena, 1, b->offset, b->bytes, host, 0, NULL, NULL), "fetching");
+    b->host_old = false;
+}
+
+void sph2d__device_changed(sph2d__device *d, unsigned owners)
+{
+    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+        if (d->blocks[k].owner & owners)
+            d->blocks[k].device_old = true;
+}
+
+void sph2d__device_changed_on(sph2d__device *d, void *host)
+{
+    block *b = entry_of(d, host);
+    b->host_old = b->host != NULL;
+}
+
+void sph2d__device_changed_one(sph2d__device *d, void *host)
+{
+    block *b = entry_of(d, host);
+    b->device_old = b->host != NULL;
+}
+
+/* ---- kernels ----------------------------------------------------------------------------------------------------- */
+
+static cl_kernel kernel_named(sph2d__device *d, const char *name)
+{
+    for (size_t k = 0; k < d->launcher_count; ++k)
+        if (d->launchers[k].name == name || strcmp(d->launchers[k].name, name) == 0)
+            return d->launchers[k].kernel;
+    cl_int error = d->launcher_count < MOST_KERNELS ? CL_SUCCESS : CL_BUILD_PROGRAM_FAILURE;
+    cl_kernel kernel = error == CL_SUCCESS ? d->cl->clCreateKernel(d->program, name, &error) : NULL;
+    fail(d, error, name);
+    if (error == CL_SUCCESS)
+        d->launchers[d->launcher_count++] = (launcher){name, kernel};
+    return kernel;
+}
+
+/** Copies numbers to the next slot of the device, before all kernels that come. Returns the slot. */
+static unsigned send_numbers(sph2d__device *d, const void *numbers, size_t bytes)
+{
+    d->slot = (d->slot + 1) % SLOTS;
+    if (d->slot == 0 && d->error == CL_SUCCESS) /* the driver may not have read all of them yet */
+        fail(d, d->cl->clFinish(d->queue), "waiting");
+    memcpy(d->slots[d->slot], numbers, bytes);
+    if (d->error == CL_SUCCESS && bytes > 0)
+        fail(d,
+             d->cl->clEnqueueWriteBuffer(d->queue, d->numbers, 0, (size_t)d->slot * SLOT, bytes, d->slots[d->slot], 0,
+                                         NULL, NULL),
+             "sending numbers");
+    return d->slot;
+}
+
+bool sph2d__device_knows(sph2d__device *d, const void *numbers, size_t bytes)
+{
+    const bool known = d->knows && memcmp(d->slots[SLOTS], numbers, bytes) == 0;
+    memcpy(d->slots[SLOTS], numbers, bytes);
+    d->knows = true;
+    return known;
+}
+
+void sph2d__device_numbers(sph2d__device *d, const void *numbers, size_t bytes)
+{
+    d->numbers_slot = send_numbers(d, numbers, bytes);
+}
+
+/** Launches a kernel, whose results go to the buffer for them. */
+static void launch(sph2d__device *d, const char *name, size_t count, const void *arguments, size_t bytes,
+                   unsigned writes)
+{
+    const cl_kernel kernel = kernel_named(d, name);
+    send_old(d);
+    const uint64_t numbers = (uint64_t)d->numbers_slot * SLOT, own = (uint64_t)send_numbers(d, arguments, bytes) * SLOT,
+                   items = count;
+    const size_t local = SPH2D__DEVICE_GROUP, global = (count + local - 1) / local * local;
+    if (d->error != CL_SUCCESS || count == 0)
+        return;
+    const struct {
+        size_t size;
+        const void *value;
+    } values[] = {{sizeof d->arena, &d->arena}, {sizeof d->numbers, &d->numbers}, {sizeof numbers, &numbers},
+                  {sizeof own, &own},           {sizeof items, &items},           {sizeof d->results, &d->results}};
+    for (cl_uint k = 0; k < sizeof values / sizeof *values; ++k)
+        fail(d, d->cl->clSetKernelArg(kernel, k, values[k].size, values[k].value), name);
+    if (d->error == CL_SUCCESS)
+        fail(d, d->cl->clEnqueueNDRangeKernel(d->queue, kernel, 1, NULL, &global, &local, 0, NULL, NULL), name);
+    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+        if (d->blocks[k].owner & writes)
+            d->blocks[k].host_old = true;
+}
+
+/** Makes room for results, at least for one. */
+static bool reserve_results(sph2d__device *d, size_t bytes)
+{
+    bytes = bytes > LINE ? bytes : LINE;
+    void *host = d->host_results;
+    if (bytes > d->host_results_bytes) {
+        if (!sph2d__resize(d->memory, &host, d->host_results_bytes, bytes, 1))
+            return false;
+        d->host_results = host;
+        d->host_results_bytes = bytes;
+    }
+    if (bytes > d->results_bytes && d->error == CL_SUCCESS) {
+        cl_int error = CL_SUCCESS;
+        if (d->results)
+            d->cl->clReleaseMemObject(d->results);
+        d->results = d->cl->clCreateBuffer(d->context, CL_MEM_READ_WRITE, bytes, NULL, &error);
+        d->results_bytes = bytes;
+        fail(d, error, "a buffer for results");
+    }
+    return true;
+}
+
+void sph2d__device_run(sph2d__device *d, const char *kernel, size_t count, const void *arguments, size_t bytes,
+                       unsigned writes)
+{
+    if (reserve_results(d, 0))
+        launch(d, kernel, count, arguments, bytes, writes);
+    else
+        fail(d, -6, kernel);
+}
+
+const void *sph2d__device_results(sph2d__device *d, const char *kernel, size_t count, const void *arguments,
+                                  size_t bytes, unsigned writes, size_t size)
+{
+    const size_t all = (count + SPH2D__DEVICE_GROUP - 1) / SPH2D__DEVICE_GROUP * size;
+    if (!reserve_results(d, all))
+        return NULL;
+    launch(d, kernel, count, arguments, bytes, writes);
+    if (d->error == CL_SUCCESS && all > 0)
+        fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, 0, all, d->host_results, 0, NULL, NULL), kernel);
+    if (d->error != CL_SUCCESS)
+        memset(d->host_results, 0, all);
+    return d->host_results;
+}

@@ -1,0 +1,84 @@
+/* SPDX-License-Identifier: MIT */
+/** @file device.h
+ *  A device that runs kernels on one simulation's arrays.
+ *
+ *  All blocks of memory that host and device share lie in one buffer of the device, each at an offset. Whoever wrote last
+ *  has the truth of a block: before a kernel runs, blocks that the host has changed are sent, and the host asks for blocks before it
+ *  reads them. A launch returns at once; kernels run one after another, as they were launched.
+ *
+ *  An error of the driver, or the loss of the device, ends all further work: every function then returns at once, and
+ *  sph2d__device_failed() says what happened. */
+#ifndef SPH2D_DEVICE_DEVICE_H
+#define SPH2D_DEVICE_DEVICE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/memory.h"
+
+typedef struct sph2d__device sph2d__device;
+
+/** Whose blocks, for what a kernel or the host has changed. A set of bits. */
+typedef enum sph2d__owner {
+    SPH2D__OF_FLUID = 1,     /**< the fluid's arrays and cells */
+    SPH2D__OF_WALLS = 2,     /**< those of boundary particles */
+    SPH2D__OF_SCENE = 4,     /**< what is made once */
+    SPH2D__OF_POINTS = 8,    /**< the points that attract */
+    SPH2D__OF_WALL_SUMS = 16 /**< what kernels write of boundary particles */
+} sph2d__owner;
+
+/** Particles that a group of threads works on together, whose sums are one: methods/common/slab.h. */
+enum { SPH2D__DEVICE_GROUP = 256 };
+
+/** Opens device `number`, from 1 on, with the kernels of a program (the name of a file *.cl without its end). `same_bits`: only if
+ *  it makes the same bits. NULL with the reason in the report; SPH2D_NOMEM in *status when memory is short. */
+sph2d__device *sph2d__device_open(int number, const char *program, bool same_bits, sph2d__memory *memory,
+                                  sph2d_status *status, sph2d_report *report);
+void sph2d__device_close(sph2d__device *device, sph2d__memory *memory);
+
+/** Why the device does no more work, and what it did when that happened; false: it works. */
+bool sph2d__device_failed(const sph2d__device *device, const char **why, const char **kernel);
+
+/** Begins a new list of blocks: those that are not placed again until the next launch are forgotten. */
+void sph2d__device_list(sph2d__device *device);
+/** The offset of a block, which is new or in the list before, with room for it. */
+uint64_t sph2d__device_place(sph2d__device *device, const void *block, size_t bytes, sph2d__owner owner);
+/** Ends the list; true when the blocks have moved, so that their offsets have to be asked for once more. */
+bool sph2d__device_moved(sph2d__device *device);
+
+/** Whether these numbers are the ones that kernels read; notes them. */
+bool sph2d__device_knows(sph2d__device *device, const void *numbers, size_t bytes);
+/** The offset of a block that is placed; 0: there is none. */
+uint64_t sph2d__device_offset_of(const sph2d__device *device, const void *block);
+
+/** What a kernel is run with: numbers that all of its threads read, the same until they are set anew. */
+void sph2d__device_numbers(sph2d__device *device, const void *numbers, size_t bytes);
+
+/** Runs a kernel with one thread for each of `count` items, in groups of SPH2D__DEVICE_GROUP, and `bytes` of arguments; `writes`: whose blocks it
+ *  changes, a set of sph2d__owner. */
+void sph2d__device_run(sph2d__device *device, const char *kernel, size_t count, const void *arguments, size_t bytes,
+                       unsigned writes);
+/** The same, for kernels with a result of `size` bytes for each group; waits, and returns the results, which are the device's until its
+ *  next one, or zeros after a failure. NULL when memory is short. */
+const void *sph2d__device_results(sph2d__device *device, const char *kernel, size_t count, const void *arguments,
+                                  size_t bytes, unsigned writes, size_t size);
+
+/** Before the host reads a block: waits until it is there. Of blocks that are in no list nothing is known, and nothing is done. */
+void sph2d__device_fetch(sph2d__device *device, void *block);
+/** After the host has changed blocks of some owners, which it has fetched before. */
+void sph2d__device_changed(sph2d__device *device, unsigned owners);
+
+/** A kernel has changed a block by arguments; or the host one, alone. */
+void sph2d__device_changed_on(sph2d__device *device, void *block);
+void sph2d__device_changed_one(sph2d__device *device, void *block);
+
+/** Ends all further work, for a reason that is static. */
+void sph2d__device_give_up(sph2d__device *device, const char *why);
+
+/** Memory of the device in use [bytes]. */
+size_t sph2d__device_bytes(const sph2d__device *device);
+/** Its name. */
+const char *sph2d__device_name(const sph2d__device *device);
+
+#endif

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/** @file on_device.c
+ *  Hands a system over to its device. */
+#include "methods/common/on_device.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "device/device.h"
+#include "methods/common/slabs.h"
+
+/* ---- the system as kernels get it -------------------------------------------------------------------------------- */
+
+/** An address in a struct, which becomes an offset. */
+static void place(sph2d__device *d, void *slot, size_t bytes, sph2d__owner owner)
+{
+    void *block;
+    memcpy(&block, slot, sizeof block);
+    const uint64_t offset = sph2d__device_place(d, block, bytes, owner);
+    memcpy(slot, &offset, sizeof offset);
+}
+
+/* What kernels write of boundary particles. */
+#define WALL_SUMS (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume))
+
+static void place_store(sph2d__device *d, sph2d__store *t, sph2d__owner owner)
+{
+    const size_t bytes = t->capacity > 0 ? (t->capacity + SPH2D__PADDING) * sizeof(double) : 0;
+#define PLACE(name)                                                                                                    \
+    place(d, &t->name, t->has &SPH2D__BIT(name) ? bytes : 0,                                                           \
+          owner == SPH2D__OF_WALLS && SPH2D__BIT(name) & WALL_SUMS ? SPH2D__OF_WALL_SUMS : owner);
+    SPH2D__STORE_REALS(PLACE)
+#undef PLACE
+    place(d, &t->id, bytes, owner);
+    place(d, &t->color, t->colored ? bytes : 0, owner);
+    place(d, &t->scratch, bytes, owner);
+}
+
+static void place_cells(sph2d__device *d, sph2d__cells *c, sph2d__owner owner)
+{
+    place(d, &c->start, c->cell_capacity * sizeof(uint32_t), owner);
+    place(d, &c->places, c->place_capacity * sizeof(uint32_t), owner);
+    place(d, &c->cell, c->particle_capacity * sizeof(uint32_t), owner);
+    place(d, &c->order, c->particle_capacity * sizeof(uint32_t), owner);
+}
+
+static void place_all(sph2d__device *d, sph2d__system *copy)
+{
+    sph2d__device_list(d);
+    place_store(d, &copy->fluid, SPH2D__OF_FLUID);
+    place_store(d, &copy->walls, SPH2D__OF_WALLS);
+    place_cells(d, &copy->fluid_cells, SPH2D__OF_FLUID);
+    place_cells(d, &copy->wall_cells, SPH2D__OF_WALLS);
+    place(d, &copy->tables, sizeof *copy->tables, SPH2D__OF_SCENE);
+    place(d, &copy->forces.points.items, copy->points_room, SPH2D__OF_POINTS);
+    for (size_t k = 0; k < copy->lent_count; ++k)
+        sph2d__device_place(d, copy->lent[k].block, copy->lent[k].bytes, SPH2D__OF_SCENE);
+}
+
+/** The part of the system that kernels read. */
+enum { READ = offsetof(sph2d__system, profile) };
+
+/** Sends the system if it is not as the device knows it. */
+static void bind(const sph2d__system *s)
+{
+    if (sph2d__device_knows(s->device, s, READ))
+        return;
+    sph2d__system copy = *s;
+    place_all(s->device, &copy);
+    if (sph2d__device_moved(s->device)) {
+        copy = *s;
+        place_all(s->device, &copy);
+    }
+    sph2d__device_numbers(s->device, &copy, sizeof copy);
+}
+
+/* ---- kernels ----------------------------------------------------------------------------------------------------- */
+
+static unsigned writes_of(const char *kernel)
+{
+    return strncmp(kernel, "wall_", 5) == 0 ? SPH2D__OF_WALL_SUMS : SPH2D__OF_FLUID;
+}
+
+void sph2d__device_span_with(const sph2d__system *s, const char *kernel, size_t count, const void *with, size_t bytes)
+{
+    bind(s);
+    sph2d__device_run(s->device, kernel, count, with, bytes, writes_of(kernel));
+}
+
+void sph2d__device_span(const sph2d__system *s, const char *kernel, size_t count)
+{
+    sph2d__device_span_with(s, kernel, count, NULL, 0);
+}
+
+const void *sph2d__device_read_by(const sph2d__system *s, const char *kernel, const void *with, size_t bytes,
+                                  size_t size)
+{
+    bind(s);
+    return sph2d__device_results(s->device, kernel, s->fluid.count, with, bytes, 0, size);
+}
+
+const void *sph2d__device_written_by(const sph2d__system *s, const char *kernel, const void *with, size_t bytes,
+                                     size_t size)
+{
+    bind(s);
+    return sph2d__device_results(s->device, kernel, s->fluid.count, with, bytes, SPH2D__OF_FLUID, size);
+}
+
+sph2d__slab_sum sph2d__device_sum(const sph2d__system *s, const char *kernel, const void *with, size_t bytes)
+{
+    const sph2d__slab_sum *sums = sph2d__device_read_by(s, kernel, with, bytes, sizeof *sums);
+    sph2d__slab_sum total = {0};
+    for (size_t k = 0; sums && k < sph2d__slabs(s->fluid.count); ++k)
+        sph2d__slab_add(&total, &sums[k]);
+    return total;
+}
+
+uint64_t sph2d__device_offset(const sph2d__system *s, const void *array)
+{
+    bind(s);
+    return sph2d__device_offset_of(s->device, array);
+}
+
+/* ---- transfers --------------------------------------------------------------------------------------------------- */
+
+/** What is done to a block. */
+typedef void block_work(sph2d__device *device, void *block);
+
+static void with_arrays(sph2d__device *d, const sph2d__store *t, sph2d__set arrays, block_work *work)
+{
+#define WITH(name)                                                                                                     \
+    if (arrays & t->has & SPH2D__BIT(name))                                                                            \
+        work(d, t->name);
+    SPH2D__STORE_REALS(WITH)
+#undef WITH
+    if (arrays == SPH2D__EVERYTHING) {
+        work(d, t->id);
+        work(d, t->color);
+    }
+}
+
+void sph2d__device_fetch_arrays(const sph2d__system *s, sph2d__set arrays)
+{
+    with_arrays(s->device, &s->fluid, arrays, sph2d__device_fetch);
+    if (arrays == SPH2D__EVERYTHING)
+        sph2d__device_fetch(s->device, s->fluid_cells.start);
+}
+
+void sph2d__device_fetch_walls(const sph2d__system *s)
+{
+    with_arrays(s->device, &s->walls, SPH2D__EVERYTHING, sph2d__device_fetch);
+}
+
+void sph2d__host_changed(const sph2d__system *s, sph2d__set arrays)
+{
+    if (sph2d__is_on_device(s))
+        with_arrays(s->device, &s->fluid, arrays, sph2d__device_changed_one);
+}
+
+void sph2d__host_changed_points(const sph2d__system *s)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_changed(s->device, SPH2D__OF_POINTS);
+}
+
+void sph2d__host_changed_walls(const sph2d__system *s)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_changed(s->device, SPH2D__OF_WALLS);
+}

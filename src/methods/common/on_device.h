@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/** @file on_device.h
+ *  A system whose particles a device has: its loops are kernels, and the host reads what it has fetched.
+ *
+ *  Where the loops of a method run on the processor or, with `system.device`, by kernels of its program (methods/NAME/NAME.cl): these are
+ *  the same functions, compiled as OpenCL C, so that they make the same bits. A kernel gets a copy of the system with offsets of blocks in
+ *  place of addresses. One whose name begins with wall_ writes arrays of boundary particles, any other those of the fluid. */
+#ifndef SPH2D_METHODS_COMMON_ON_DEVICE_H
+#define SPH2D_METHODS_COMMON_ON_DEVICE_H
+
+#include "methods/common/slab.h"
+
+/** Runs a kernel on particles 0 to count - 1. */
+void sph2d__device_span(const sph2d__system *system, const char *kernel, size_t count);
+/** The same with arguments. */
+void sph2d__device_span_with(const sph2d__system *system, const char *kernel, size_t count, const void *with,
+                             size_t bytes);
+
+/** The results of a kernel that only reads, one of `size` bytes for each slab of the fluid: sph2d__device_results(). NULL when memory is
+ *  short, or after a failure. */
+const void *sph2d__device_read_by(const sph2d__system *system, const char *kernel, const void *with, size_t bytes,
+                                  size_t size);
+/** The same of one that writes arrays of the fluid. */
+const void *sph2d__device_written_by(const sph2d__system *system, const char *kernel, const void *with, size_t bytes,
+                                     size_t size);
+
+/** The total of the sums of a kernel, as sph2d__sum_fluid(). */
+sph2d__slab_sum sph2d__device_sum(const sph2d__system *system, const char *kernel, const void *with, size_t bytes);
+
+/** Where the device has an array of the system. */
+uint64_t sph2d__device_offset(const sph2d__system *system, const void *array);
+
+/** All arrays, ids, colours and cells, too. */
+#define SPH2D__EVERYTHING (~(sph2d__set)0)
+
+/** Fetches arrays of the fluid, or of boundary particles. */
+void sph2d__device_fetch_arrays(const sph2d__system *system, sph2d__set arrays);
+void sph2d__device_fetch_walls(const sph2d__system *system);
+
+/** Before the host reads arrays of the fluid. */
+static inline void sph2d__host_reads(const sph2d__system *s, sph2d__set arrays)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_fetch_arrays(s, arrays);
+}
+
+/** The same of boundary particles. */
+static inline void sph2d__host_reads_walls(const sph2d__system *s)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_fetch_walls(s);
+}
+
+/** After the host has changed arrays of the fluid, which it has read before. */
+void sph2d__host_changed(const sph2d__system *system, sph2d__set arrays);
+/** After it has changed the points that attract. */
+void sph2d__host_changed_points(const sph2d__system *system);
+/** After it has changed boundary particles. */
+void sph2d__host_changed_walls(const sph2d__system *system);
+
+#endif

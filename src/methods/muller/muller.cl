@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* The program of method `muller`. */
+#include "sim/kernels.cl"
+
+#include "methods/common/state_equation.h"
+#include "methods/muller/leapfrog.h"
+#include "methods/muller/muller_loops.h"
+#include "methods/muller/muller_walls.h"
+#include "sim/wall_loads.h"
+
+SPAN(density_pass, density)
+SPAN(pressures_pass, pressures)
+SPAN(wall_density_pass, wall_density)
+SPAN(wall_pressures_pass, wall_pressures)
+SPAN(force_pass, force)
+SPAN(second_kick_pass, sph2d__second_kick)
+ADVECT(sph2d__kick_drift, sph2d__predict)
+
+static inline void one_energy(const sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)
+{
+    sph2d__add_energy(s, i, sph2d__elastic_of(s, s->fluid.density[i]), sum);
+}
+SUM(sum_energy, int, one_energy)
+
+static inline void one_side(const sph2d__system *s, size_t i, const sph2d__side_load *load, sph2d__slab_sum *sum)
+{
+    double fill[4];
+    side_push(s, i, fill);
+    sph2d__add_sides(s, load, i, fill, sum);
+}
+SUM(sum_sides, sph2d__side_load, one_side)
+
+SPH2D__FORCE_OF_WALL(force_of_wall, int, none, wall_force)
+
+__kernel void wall_forces(ARGUMENTS)
+{
+    const size_t b = get_global_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    const ulong to = *(__global const ulong *)(numbers + own_at);
+    if (b < count)
+        BLOCK(sph2d__wall_force, to)[b] = force_of_wall(&s, 0, b);
+}

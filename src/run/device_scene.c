@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/** @file device_scene.c
+ *  Which scenes devices take. */
+#include "scene/motion.h"
+#include "sph2d/device.h"
+
+static bool any_reflects(const sph2d_scene *scene)
+{
+    bool any = scene->walls == SPH2D_WALL_REFLECT;
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        any = any || scene->obstacles[i].form == SPH2D_WALL_REFLECT;
+    return any;
+}
+
+static bool any_moves(const sph2d_scene *scene)
+{
+    bool any = false;
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        any = any || sph2d__motion_moves(&scene->obstacles[i].motion);
+    return any;
+}
+
+const char *sph2d_device_refuses(const sph2d_scene *scene)
+{
+    if (!scene)
+        return "there is no scene";
+    if (scene->method.name != SPH2D_METHOD_MULLER)
+        return "devices know method muller alone";
+    if (scene->body_count > 0)
+        return "devices do not know bodies";
+    if (any_moves(scene))
+        return "devices do not know obstacles that move";
+    if (any_reflects(scene))
+        return "devices do not know walls that reflect";
+    if (scene->fluid.surface_tension > 0)
+        return "devices do not know surface tension";
+    return NULL;
+}

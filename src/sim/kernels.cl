@@ -1,0 +1,372 @@
+/* SPDX-License-Identifier: MIT */
+/* What all programs of devices have: their language, the system as a kernel sees it, the shapes of kernels, cells, advection,
+ * sums and guards. A method's program (methods/NAME/NAME.cl) includes this, and defines its own kernels by these shapes.
+ *
+ * The build puts a program together from the same headers as the library, with those of src/device/clc in place of C's. */
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#pragma OPENCL FP_CONTRACT OFF
+
+#include "boundary/sweep.c"
+#include "particles/ranges.c"
+#include "sim/device_data.h"
+#include "sim/extremes.h"
+
+/* ---- arguments --------------------------------------------------------------------------------------------------- */
+
+/* The arena of all blocks, the numbers of all slots, where the system's and the kernel's own begin, how many threads have something to
+ * do, where results go. */
+#define ARGUMENTS                                                                                                      \
+    __global uchar *arena, __global const uchar *numbers, const ulong system_at, const ulong own_at, const ulong count, \
+        __global uchar *results
+
+/* The block at an offset, which stands where the host has an address. */
+#define BLOCK(type, pointer) ((pointer) ? (__global type *)(arena + (ulong)(pointer)) : (__global type *)0)
+
+static inline void place_store(__global uchar *arena, sph2d__store *t)
+{
+#define PLACE(name) t->name = BLOCK(double, t->name);
+    SPH2D__STORE_REALS(PLACE)
+#undef PLACE
+    t->id = BLOCK(uint64_t, t->id);
+    t->color = BLOCK(uint64_t, t->color);
+    t->scratch = BLOCK(void, t->scratch);
+}
+
+static inline void place_cells(__global uchar *arena, sph2d__cells *c)
+{
+    c->start = BLOCK(uint32_t, c->start);
+    c->places = BLOCK(uint32_t, c->places);
+    c->cell = BLOCK(uint32_t, c->cell);
+    c->order = BLOCK(uint32_t, c->order);
+}
+
+/* The host's system, with addresses of the device. */
+static inline sph2d__system placed(__global uchar *arena, __global const uchar *at)
+{
+    sph2d__system s = *(__global const sph2d__system *)at;
+    place_store(arena, &s.fluid);
+    place_store(arena, &s.walls);
+    place_cells(arena, &s.fluid_cells);
+    place_cells(arena, &s.wall_cells);
+    s.tables = BLOCK(sph2d__tables, s.tables);
+    s.forces.points.items = BLOCK(const sph2d__point_force, s.forces.points.items);
+    return s;
+}
+
+/* ---- shapes of kernels ------------------------------------------------------------------------------------------- */
+
+/* A function of a span of particles. */
+#define SPAN(name, function)                                                                                           \
+    __kernel void name(ARGUMENTS)                                                                                      \
+    {                                                                                                                  \
+        const size_t i = get_global_id(0);                                                                             \
+        sph2d__system s = placed(arena, numbers + system_at);                                                          \
+        if (i < count)                                                                                                 \
+            function(&s, i, i + 1);                                                                                    \
+    }
+
+/* A function of one particle, with arguments of a type, that adds to the sums of its slab. They are added in the order of the
+ * particles, as the host does it. */
+#define SUM(name, type, function)                                                                                      \
+    __kernel void name(ARGUMENTS)                                                                                      \
+    {                                                                                                                  \
+        __local sph2d__slab_sum parts[SPH2D__SLAB];                                                                    \
+        const size_t i = get_global_id(0);                                                                             \
+        sph2d__system s = placed(arena, numbers + system_at);                                                          \
+        const type with = *(__global const type *)(numbers + own_at);                                                  \
+        sph2d__slab_sum sum = {0};                                                                                     \
+        if (i < count)                                                                                                 \
+            function(&s, i, &with, &sum);                                                                              \
+        parts[get_local_id(0)] = sum;                                                                                  \
+        add_parts(parts, (size_t)get_group_id(0) * SPH2D__SLAB, count, results);                                       \
+    }
+
+static inline void add_parts(__local const sph2d__slab_sum *parts, size_t first, size_t count, __global uchar *results)
+{
+    enum { SUMS = sizeof(sph2d__slab_sum) / sizeof(double) - 1 };
+    const size_t l = get_local_id(0), some = count - first < SPH2D__SLAB ? count - first : SPH2D__SLAB;
+    __local const double *values = (__local const double *)parts;
+    double sum = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (l > SUMS)
+        return;
+    for (size_t k = 0; k < some; ++k) {
+        const double value = values[k * (SUMS + 1) + l];
+        sum = l < SUMS ? sum + value : value > sum ? value : sum;
+    }
+    ((__global double *)results)[get_group_id(0) * (SUMS + 1) + l] = sum;
+}
+
+/* The sizes of what host and device hand each other, as the device has them. */
+__kernel void layout(ARGUMENTS)
+{
+    __global ulong *sizes = (__global ulong *)results;
+    if (get_global_id(0) > 0)
+        return;
+    sizes[0] = sizeof(sph2d__system);
+    sizes[1] = sizeof(sph2d__advection);
+    sizes[2] = sizeof(sph2d__slab_sum);
+    sizes[3] = sizeof(sph2d__limits);
+    sizes[4] = sizeof(sph2d__extremes);
+    sizes[5] = sizeof(sph2d__events);
+}
+
+/* ---- cells ------------------------------------------------------------------------------------------------------- */
+
+__kernel void bounds(ARGUMENTS)
+{
+    __local sph2d__bounds_of parts[SPH2D__SLAB];
+    const size_t i = get_global_id(0), l = get_local_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    sph2d__bounds_of part = sph2d__no_bounds();
+    if (i < count)
+        part = (sph2d__bounds_of){s.fluid.x[i], s.fluid.y[i], s.fluid.x[i], s.fluid.y[i]};
+    parts[l] = part;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (l > 0)
+        return;
+    for (size_t k = 1; k < SPH2D__SLAB; ++k)
+        part = sph2d__join_bounds(part, parts[k]);
+    ((__global sph2d__bounds_of *)results)[get_group_id(0)] = part;
+}
+
+__kernel void empty_cells(ARGUMENTS)
+{
+    sph2d__system s = placed(arena, numbers + system_at);
+    if (get_global_id(0) < count)
+        s.fluid_cells.places[get_global_id(0)] = 0;
+}
+
+__kernel void count_cells(ARGUMENTS)
+{
+    const size_t i = get_global_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    if (i >= count)
+        return;
+    const uint32_t cell = sph2d__cell_of(&s.fluid_cells, s.fluid.x[i], s.fluid.y[i]);
+    s.fluid_cells.cell[i] = cell;
+    atomic_inc(s.fluid_cells.places + cell);
+}
+
+/* Each of SPH2D__SCANNERS threads has a part of the cells: first it counts their particles, ... */
+__kernel void scan_parts(ARGUMENTS)
+{
+    const size_t k = get_global_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    const sph2d__cells *c = &s.fluid_cells;
+    const size_t cells = (size_t)c->nx * c->ny, each = (cells + SPH2D__SCANNERS - 1) / SPH2D__SCANNERS;
+    uint32_t sum = 0;
+    for (size_t n = k * each; n < (k + 1) * each && n < cells; ++n)
+        sum += c->places[n];
+    c->places[cells + k] = sum;
+}
+
+/* ... then one group adds up these counts, ... */
+__kernel void scan_sums(ARGUMENTS)
+{
+    __local uint32_t parts[SPH2D__SLAB];
+    const size_t l = get_local_id(0), each = SPH2D__SCANNERS / SPH2D__SLAB;
+    sph2d__system s = placed(arena, numbers + system_at);
+    const sph2d__cells *c = &s.fluid_cells;
+    __global uint32_t *sums = c->places + (size_t)c->nx * c->ny + l * each;
+    uint32_t sum = 0;
+    for (size_t n = 0; n < each; ++n)
+        sum += sums[n];
+    parts[l] = sum;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    sum = 0;
+    for (size_t n = 0; n < l; ++n)
+        sum += parts[n];
+    for (size_t n = 0; n < each; ++n) {
+        const uint32_t part = sums[n];
+        sums[n] = sum;
+        sum += part;
+    }
+}
+
+/* ... and each sets where the particles of its cells begin. */
+__kernel void scan_cells(ARGUMENTS)
+{
+    const size_t k = get_global_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    const sph2d__cells *c = &s.fluid_cells;
+    const size_t cells = (size_t)c->nx * c->ny, each = (cells + SPH2D__SCANNERS - 1) / SPH2D__SCANNERS;
+    uint32_t sum = c->places[cells + k];
+    for (size_t n = k * each; n < (k + 1) * each && n < cells; ++n) {
+        const uint32_t part = c->places[n];
+        c->start[n] = sum;
+        c->places[n] = sum;
+        sum += part;
+    }
+    if (k == SPH2D__SCANNERS - 1)
+        c->start[cells] = (uint32_t)s.fluid.count;
+}
+
+__kernel void fill_cells(ARGUMENTS)
+{
+    const size_t i = get_global_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    if (i < count)
+        ((__global uint32_t *)s.fluid.scratch)[atomic_inc(s.fluid_cells.places + s.fluid_cells.cell[i])] = (uint32_t)i;
+}
+
+/* Which thread was first is chance: a particle's place in its cell is as many as come before it in the order so far. */
+__kernel void order_cells(ARGUMENTS)
+{
+    const size_t k = get_global_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    const sph2d__cells *c = &s.fluid_cells;
+    if (k >= count)
+        return;
+    __global const uint32_t *found = (__global const uint32_t *)s.fluid.scratch;
+    const uint32_t i = found[k], cell = c->cell[i], first = c->start[cell], end = c->start[cell + 1];
+    uint32_t before = first;
+    for (uint32_t n = first; n < end; ++n)
+        before += found[n] < i;
+    c->order[before] = i;
+}
+
+/* All arrays are of 8 bytes. */
+__kernel void reorder(ARGUMENTS)
+{
+    const size_t k = get_global_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    const sph2d__reordered with = *(__global const sph2d__reordered *)(numbers + own_at);
+    if (k < count)
+        BLOCK(ulong, with.to)[k] = BLOCK(const ulong, with.from)[s.fluid_cells.order[k]];
+}
+
+/* ---- advection --------------------------------------------------------------------------------------------------- */
+
+/* Notes what a wall did to a particle, for loads; beyond the room that there is it is counted alone. */
+static inline void note_stops(__global uchar *arena, const sph2d__advection *with, sph2d_vec2 at, const sph2d__stops *stops)
+{
+    __global uint32_t *counter = BLOCK(uint32_t, with->contact_count);
+    __global sph2d__contact *list = BLOCK(sph2d__contact, with->contacts);
+    for (int k = 0; with->noted && k < stops->count; ++k) {
+        const uint32_t n = atomic_inc(counter);
+        if (n < with->contact_room)
+            list[n] = (sph2d__contact){at, stops->items[k].change, stops->items[k].wall};
+    }
+}
+
+/* Moves particle i as sim/advect.c does it, where only walls at rest are in its way. */
+static inline void advect_one(__global uchar *arena, const sph2d__system *s, const sph2d__advection *with, size_t i,
+                              sph2d__way way, sph2d__events *met)
+{
+    const sph2d__store *f = &s->fluid;
+    const sph2d__kicked who = {i, way.kick};
+    sph2d_vec2 from = {f->x[i], f->y[i]}, v = way.v;
+    const sph2d__end free = {{from.x + way.dx, from.y + way.dy}, v};
+    sph2d_vec2 to = free.at;
+    sph2d__barrier walls = with->walls;
+    walls.segments = BLOCK(sph2d__piece, walls.segments);
+    walls.start = BLOCK(uint32_t, walls.start);
+    walls.items = BLOCK(uint32_t, walls.items);
+    walls.near = BLOCK(unsigned char, walls.near);
+    sph2d__stops stops;
+    stops.count = 0;
+    int hits = sph2d__barrier_sweep(&walls, from, &to, &v, &stops);
+    if (hits > 0) {
+        met->stopped += sph2d__quanta_between(s, with->quantum, who, free, (sph2d__end){to, v});
+        note_stops(arena, with, from, &stops);
+    }
+    if (sph2d__wrap_end(&s->fluid_cells.period, &from, &to)) {
+        const sph2d__end before = {to, v};
+        stops.count = 0;
+        const int held = sph2d__barrier_sweep(&walls, from, &to, &v, &stops);
+        if (held > 0) {
+            met->stopped += sph2d__quanta_between(s, with->quantum, who, before, (sph2d__end){to, v});
+            note_stops(arena, with, from, &stops);
+        }
+        hits += held;
+    }
+    met->hits += (uint64_t)hits;
+    met->not_finite += isfinite(to.x + to.y + v.x + v.y) ? 0 : 1;
+    f->x[i] = to.x;
+    f->y[i] = to.y;
+    f->vx[i] = v.x;
+    f->vy[i] = v.y;
+}
+
+/* Adds up the events of a group. */
+static inline void add_events(__local sph2d__events *parts, __global uchar *results)
+{
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) > 0)
+        return;
+    sph2d__events all = parts[0];
+    for (size_t k = 1; k < SPH2D__SLAB; ++k)
+        sph2d__add_events(&all, parts[k]);
+    ((__global sph2d__events *)results)[get_group_id(0)] = all;
+}
+
+/* The kernel `advect`: `set` gives a particle's way, `after` is done to it at its end. */
+#define ADVECT(set, after)                                                                                             \
+    __kernel void advect(ARGUMENTS)                                                                                    \
+    {                                                                                                                  \
+        __local sph2d__events parts[SPH2D__SLAB];                                                                      \
+        const size_t i = get_global_id(0);                                                                             \
+        sph2d__system s = placed(arena, numbers + system_at);                                                          \
+        const sph2d__advection with = *(__global const sph2d__advection *)(numbers + own_at);                          \
+        sph2d__events met = {0};                                                                                       \
+        if (i < count) {                                                                                               \
+            advect_one(arena, &s, &with, i, set(&s, with.dt, i), &met);                                                \
+            after(&s, with.dt, i);                                                                                     \
+        }                                                                                                              \
+        parts[get_local_id(0)] = met;                                                                                  \
+        add_events(parts, results);                                                                                    \
+    }
+
+/* ---- balances ---------------------------------------------------------------------------------------------------- */
+
+static inline void one_momentum(const sph2d__system *s, size_t i, const sph2d_vec2 *gravity, sph2d__slab_sum *sum)
+{
+    sph2d__forces external = s->forces;
+    external.springs.stiffness = 0;
+    external.gravity.x = gravity->x;
+    external.gravity.y = gravity->y;
+    sph2d__add_momentum(s, &external, i, sum);
+}
+SUM(sum_momentum, sph2d_vec2, one_momentum)
+
+static inline void one_power(const sph2d__system *s, size_t i, const int *kind, sph2d__slab_sum *sum)
+{
+    sph2d__add_power(s, (sph2d__work_kind)*kind, i, sum);
+}
+SUM(sum_power, int, one_power)
+
+static inline void one_work(const sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)
+{
+    sph2d__add_work(s, i, sum);
+}
+SUM(sum_work, int, one_work)
+
+static inline void reverse_span(sph2d__system *s, size_t first, size_t last)
+{
+    for (size_t i = first; i < last; ++i) {
+        s->fluid.vx[i] = -s->fluid.vx[i];
+        s->fluid.vy[i] = -s->fluid.vy[i];
+    }
+}
+SPAN(reverse_velocities, reverse_span)
+
+/* ---- guards ------------------------------------------------------------------------------------------------------ */
+
+__kernel void extremes(ARGUMENTS)
+{
+    __local sph2d__extremes parts[SPH2D__SLAB];
+    const size_t i = get_global_id(0), l = get_local_id(0);
+    sph2d__system s = placed(arena, numbers + system_at);
+    const sph2d__limits within = *(__global const sph2d__limits *)(numbers + own_at);
+    sph2d__extremes part = sph2d__no_extremes();
+    if (i < count)
+        sph2d__see_particle(&s.fluid, &within, i, &part);
+    parts[l] = part;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (l > 0)
+        return;
+    for (size_t k = 1; k < SPH2D__SLAB; ++k)
+        part = sph2d__join_extremes(part, parts[k]);
+    ((__global sph2d__extremes *)results)[get_group_id(0)] = part;
+}
