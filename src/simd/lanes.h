@@ -376,6 +376,9 @@ SPH2D__INLINE void sph2d__lanes_pack(sph2d__real *to, sph2d__lanes a, unsigned w
 }
 #endif
 
+/** From a slot of a neighbour list to the next: particles/neighbours.h. */
+#define SPH2D__STRIDE SPH2D__LANES
+
 /** The same in all lanes. */
 SPH2D__INLINE sph2d__lanes sph2d__lanes_all(double a)
 {

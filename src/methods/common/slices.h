@@ -11,7 +11,7 @@
 /** Where the pairs of a slab go. */
 typedef struct sph2d__pairs {
     size_t next, end;                    /**< room that is left */
-    uint32_t *found;                     /**< the lists of the slice that is searched */
+    SPH2D__ARRAY uint32_t *found;        /**< the lists of the slice that is searched */
     size_t longest;                      /**< room of each */
     uint32_t counts[SPH2D__LANES], most; /**< their lengths, and the largest */
     sph2d__cursor fluid, walls, images;
@@ -28,6 +28,20 @@ static inline sph2d__pairs sph2d__pairs_start(const sph2d__neighbours *n, size_t
                           .fluid = SPH2D__CURSOR_START,
                           .walls = SPH2D__CURSOR_START,
                           .images = SPH2D__CURSOR_START};
+}
+
+/** Begins empty lists. */
+SPH2D__INLINE void sph2d__pairs_none(sph2d__pairs *to)
+{
+    memset(to->counts, 0, sizeof to->counts);
+    to->most = 0;
+}
+
+/** Adds a neighbour of a lane's particle. */
+SPH2D__INLINE void sph2d__pairs_put(sph2d__pairs *to, size_t lane, uint32_t j)
+{
+    to->found[lane * to->longest + to->counts[lane]++] = j;
+    to->most = to->counts[lane] > to->most ? to->counts[lane] : to->most;
 }
 
 /** Lists the particles nearer than the support around (x, y), but particle `but`. */

@@ -2,6 +2,7 @@
 /** @file implicit_pass.c
  *  The sweeps of implicit.c over pairs that stand still. Compiled once for each instruction set, named by SPH2D__ISA. Every
  *  lane is a particle. */
+#include "methods/wcsph/wcsph.h"
 #include "methods/wcsph/wcsph_force.h"
 
 /** a, by density and velocities at the start of the step. It stands for the whole of it: films that are drawn then are let go

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file thick_pass.c
  *  The sweeps of thick.c. Compiled once for each instruction set, named by SPH2D__ISA. Every lane is a particle. */
+#include "methods/wcsph/wcsph.h"
 #include "methods/wcsph/wcsph_force.h"
 
 /** Sums over the pairs of a slice: w r G, and the diagonal of that. */

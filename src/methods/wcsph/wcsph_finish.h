@@ -76,18 +76,18 @@ SPH2D__INLINE sph2d__lanes left_by_surface(const sph2d__frozen *z, sph2d__lanes 
 {
     sph2d__lanes left;
     for (int l = 0; l < SPH2D__LANES; ++l) {
-        const double at = SPH2D__FREE_PARTS * fmin(near[l] / z->nearness, 1);
+        const double at = SPH2D__FREE_PARTS * fmin(SPH2D__LANE(near, l) / z->nearness, 1);
         const int k = at < SPH2D__FREE_PARTS ? (int)at : SPH2D__FREE_PARTS - 1;
-        left[l] = z->left[k] + (at - k) * (z->left[k + 1] - z->left[k]);
+        SPH2D__LANE(left, l) = z->left[k] + (at - k) * (z->left[k + 1] - z->left[k]);
     }
     return left;
 }
 
 /* The least determinant of F of which A is the inverse, and by which pressure is continued into walls. */
-static const double LEAST_FLUID = 0.15;
+SPH2D__FIXED double LEAST_FLUID = 0.15;
 /* det F from which on, and up to which, dissipation sets in that vanishes for linear fields: none beside walls and at
  * surfaces, where it would slow down a body that floats. From 0.8 on walls keep twice the noise at rest. */
-static const double SMOOTH_FROM = 0.6, SMOOTH_TO = 1;
+SPH2D__FIXED double SMOOTH_FROM = 0.6, SMOOTH_TO = 1;
 
 /** rho/rho0 of its logarithm, as sph2d__density_ratio. */
 SPH2D__INLINE sph2d__lanes density_of(sph2d__lanes theta)
@@ -110,7 +110,7 @@ SPH2D__INLINE sph2d__lanes summed_apart(sph2d__lanes density, sph2d__lanes sum, 
 }
 
 /* Diffusivity of particles over S H^2, and the largest times the step over H^2. */
-static const double SHIFTING = 2.5, MOST_SHIFT = 0.1;
+SPH2D__FIXED double SHIFTING = 2.5, MOST_SHIFT = 0.1;
 
 /** Shifts particles to where fewer are, as far as shear brings them out of order: in liquid without a surface, where
  *  particles that flow past each other for ever line up, and voids open where pressure is below zero. Beside surfaces it
@@ -152,21 +152,27 @@ SPH2D__INLINE void find_turn(sph2d__frozen *z, size_t first, symmetric b, symmet
     sph2d__lanes_store(z->cyy + first, tyx * a.xy + tyy * a.yy);
 }
 
-SPH2D__INLINE void keep(double *xx, double *xy, double *yy, size_t first, symmetric m)
+SPH2D__INLINE void keep(SPH2D__ARRAY double *xx, SPH2D__ARRAY double *xy, SPH2D__ARRAY double *yy, size_t first,
+                        symmetric m)
 {
     sph2d__lanes_store(xx + first, m.xx);
     sph2d__lanes_store(xy + first, m.xy);
     sph2d__lanes_store(yy + first, m.yy);
 }
 
-/** What walls set, and what is summed up over the step, is none. */
+/** What walls set, and what is summed up over the step. */
+#define SPH2D__CLEARED(X)                                                                                              \
+    X(push_x)                                                                                                          \
+    X(push_y) X(mean_repelled) X(wall_xx) X(wall_xy) X(wall_yy) X(sx) X(sy) X(wall_rate) X(wall_zx) X(wall_zy)         \
+        X(wall_linear) X(mean_work) X(mean_ex) X(mean_ey)
+
+/** It is none. */
 SPH2D__INLINE void clear(sph2d__frozen *z, size_t first)
 {
-    double *const all[] = {z->push_x,    z->push_y,  z->mean_repelled, z->wall_xx, z->wall_xy, z->wall_yy,
-                           z->sx,        z->sy,      z->wall_rate,     z->wall_zx, z->wall_zy, z->wall_linear,
-                           z->mean_work, z->mean_ex, z->mean_ey};
-    for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
-        sph2d__lanes_store(all[k] + first, (sph2d__lanes){0});
+    const sph2d__lanes none = {0};
+#define CLEAR(name) sph2d__lanes_store(z->name + first, none);
+    SPH2D__CLEARED(CLEAR)
+#undef CLEAR
 }
 
 /** The part of M - F by thickened walls that is left for them: M is at most 1 in the mean of its directions. Boundary particles

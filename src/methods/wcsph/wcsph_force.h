@@ -5,6 +5,7 @@
 #define SPH2D_METHODS_WCSPH_WCSPH_FORCE_H
 
 #include "methods/common/shortest.h"
+#include "methods/common/slab.h"
 #include "methods/wcsph/wcsph_pair.h"
 
 /** Sums of a force over the pairs of a slice. */
@@ -36,8 +37,8 @@ SPH2D__INLINE void add_pairs(const sph2d__system *s, size_t first, size_t k, uin
     const sph2d__lanes one = sph2d__lanes_all(1), most = sph2d__lanes_all(z->most_brake);
     const sph2d__lanes own_mu = s->viscosities ? sph2d__lanes_load(s->viscosities + first) : one;
     force_sums sum = *to;
-    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__LANES) {
-        const uint32_t *j = n->index + k;
+    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__STRIDE) {
+        SPH2D__ARRAY const uint32_t *j = n->index + k;
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
                            inverse = sph2d__floats_load(z->inverse + k);
         const sph2d__four q = sph2d__four_gather(z->press, j), v = sph2d__four_gather(z->velocity, j);
@@ -80,13 +81,13 @@ SPH2D__INLINE void add_pairs(const sph2d__system *s, size_t first, size_t k, uin
 /** Sums over the pairs of a slice; `without`: those without images. */
 SPH2D__INLINE force_sums sum_pairs(const sph2d__system *s, size_t first, terms with, force_sums *without)
 {
-    const sph2d__slice *at = &s->neighbours.slices[first / SPH2D__LANES];
+    SPH2D__ARRAY const sph2d__slice *at = &s->neighbours.slices[first / SPH2D__LANES];
     const uint32_t images = s->frozen->imaged[first / SPH2D__LANES], own = at->fluid - images;
     force_sums sum = {0};
     add_pairs(s, first, at->begin, own, with, false, &sum);
     *without = sum;
     if (images > 0)
-        add_pairs(s, first, at->begin + (size_t)own * SPH2D__LANES, images, with, true, &sum);
+        add_pairs(s, first, at->begin + (size_t)own * SPH2D__STRIDE, images, with, true, &sum);
     return sum;
 }
 
@@ -107,12 +108,12 @@ SPH2D__INLINE void add_repulsion(const sph2d__system *s, size_t first, force_sum
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
-    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    SPH2D__ARRAY const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
     const sph2d__period *period = &s->fluid_cells.period;
     const double strength = SPH2D__REPULSION * s->sound_speed / s->spacing, unit = 1 / (SPH2D__CLOSE * s->spacing);
     const sph2d__lanes x = sph2d__lanes_load(z->px + first), y = sph2d__lanes_load(z->py + first), none = {0};
-    size_t k = at->begin + ((size_t)at->fluid + at->walls) * SPH2D__LANES;
-    for (uint32_t slot = 0; slot < z->close[first / SPH2D__LANES]; ++slot, k += SPH2D__LANES) {
+    size_t k = at->begin + ((size_t)at->fluid + at->walls) * SPH2D__STRIDE;
+    for (uint32_t slot = 0; slot < z->close[first / SPH2D__LANES]; ++slot, k += SPH2D__STRIDE) {
         const sph2d__lanes dx = sph2d__shortest(x - sph2d__lanes_gather(z->px, n->index + k), period->length_x);
         const sph2d__lanes dy = sph2d__shortest(y - sph2d__lanes_gather(z->py, n->index + k), period->length_y);
         const sph2d__lanes r = sph2d__lanes_sqrt(dx * dx + dy * dy);
@@ -122,8 +123,8 @@ SPH2D__INLINE void add_repulsion(const sph2d__system *s, size_t first, force_sum
         sum->dy += push * dy;
         for (int l = 0; l < SPH2D__LANES; ++l)
             if (n->index[k + (size_t)l] < z->first_image) {
-                without->dx[l] += push[l] * dx[l];
-                without->dy[l] += push[l] * dy[l];
+                SPH2D__LANE(without->dx, l) += SPH2D__LANE(push, l) * SPH2D__LANE(dx, l);
+                SPH2D__LANE(without->dy, l) += SPH2D__LANE(push, l) * SPH2D__LANE(dy, l);
             }
     }
 }
@@ -133,7 +134,7 @@ typedef struct vectors {
     sph2d__lanes x, y;
 } vectors;
 
-SPH2D__INLINE vectors load(const double *x, const double *y, size_t i)
+SPH2D__INLINE vectors load(SPH2D__ARRAY const double *x, SPH2D__ARRAY const double *y, size_t i)
 {
     return (vectors){sph2d__lanes_load(x + i), sph2d__lanes_load(y + i)};
 }
@@ -147,7 +148,7 @@ SPH2D__INLINE sph2d__lanes dot(vectors a, vectors b)
 SPH2D__INLINE void add_lanes(double *sum, sph2d__lanes a, size_t first, size_t last)
 {
     for (int l = 0; l < SPH2D__LANES && first + (size_t)l < last; ++l)
-        *sum += a[l];
+        *sum += SPH2D__LANE(a, l);
 }
 
 /** l of particle i [J/m]. */
@@ -221,9 +222,12 @@ SPH2D__INLINE vectors fall(const sph2d__system *s, size_t i, vectors v)
     vectors a = {sph2d__lanes_all(forces->gravity.x), sph2d__lanes_all(forces->gravity.y)};
     for (int l = 0; z->varies && l < SPH2D__LANES && i + (size_t)l < s->fluid.count; ++l) {
         double ax = 0, ay = 0;
-        sph2d__forces_add(forces, (sph2d__place){at.x[l], at.y[l], v.x[l], v.y[l]}, &ax, &ay);
-        a.x[l] = ax;
-        a.y[l] = ay;
+        sph2d__forces_add(
+            forces,
+            (sph2d__place){SPH2D__LANE(at.x, l), SPH2D__LANE(at.y, l), SPH2D__LANE(v.x, l), SPH2D__LANE(v.y, l)}, &ax,
+            &ay);
+        SPH2D__LANE(a.x, l) = ax;
+        SPH2D__LANE(a.y, l) = ay;
     }
     return a;
 }
@@ -235,9 +239,12 @@ SPH2D__INLINE vectors drive_of(const sph2d__system *s, size_t i, vectors v, sph2
     vectors a = {{0}, {0}};
     for (int l = 0; l < SPH2D__LANES && i + (size_t)l < s->fluid.count; ++l) {
         double ax = 0, ay = 0;
-        sph2d__forces_drive(&s->forces, kind, (sph2d__place){at.x[l], at.y[l], v.x[l], v.y[l]}, &ax, &ay);
-        a.x[l] = ax;
-        a.y[l] = ay;
+        sph2d__forces_drive(
+            &s->forces, kind,
+            (sph2d__place){SPH2D__LANE(at.x, l), SPH2D__LANE(at.y, l), SPH2D__LANE(v.x, l), SPH2D__LANE(v.y, l)}, &ax,
+            &ay);
+        SPH2D__LANE(a.x, l) = ax;
+        SPH2D__LANE(a.y, l) = ay;
     }
     return a;
 }
@@ -376,12 +383,12 @@ SPH2D__INLINE rate_sums sum_rates(const sph2d__system *s, size_t first, bool res
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__frozen *z = s->frozen;
-    const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
+    SPH2D__ARRAY const sph2d__slice *at = &n->slices[first / SPH2D__LANES];
     const sph2d__four own = sph2d__four_load(z->velocity + 4 * first);
     const bool beside = z->flags[first / SPH2D__LANES] & SPH2D__FROZEN_BESIDE;
     rate_sums sum = {0};
-    for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__LANES) {
-        const uint32_t *j = n->index + k;
+    for (size_t k = at->begin, slot = 0; slot < at->fluid; ++slot, k += SPH2D__STRIDE) {
+        SPH2D__ARRAY const uint32_t *j = n->index + k;
         const sph2d__four v = sph2d__four_gather(z->velocity, j);
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k);
         const sph2d__lanes vx = own.a - v.a, vy = own.b - v.b;

@@ -9,7 +9,7 @@
 
 /** `size` of boundary particles between the sides, 0 of those beyond, which stand for the image of an obstacle: their normals
  *  are not those of that. */
-SPH2D__INLINE sph2d__lanes within(const sph2d__system *s, const uint32_t *b, sph2d__lanes size)
+SPH2D__INLINE sph2d__lanes within(const sph2d__system *s, SPH2D__ARRAY const uint32_t *b, sph2d__lanes size)
 {
     const sph2d__sides *d = &s->frozen->sides;
     const sph2d__lanes x = sph2d__lanes_gather(s->walls.x, b), y = sph2d__lanes_gather(s->walls.y, b);
@@ -33,8 +33,8 @@ SPH2D__INLINE shape_sums sum_shape(const sph2d__system *s, size_t k, uint32_t sl
     const sph2d__frozen *z = s->frozen;
     const sph2d__lanes none = {0}, one = sph2d__lanes_all(1), spacing = sph2d__lanes_all(s->spacing);
     shape_sums sum = {0};
-    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__LANES) {
-        const uint32_t *b = s->neighbours.index + k;
+    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__STRIDE) {
+        SPH2D__ARRAY const uint32_t *b = s->neighbours.index + k;
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k);
         const sph2d__lanes rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
         const sph2d__lanes size = sph2d__lanes_sqrt(gx * gx + gy * gy);
@@ -102,7 +102,7 @@ typedef struct directions {
 
 /* By which part a flat wall may seem to have an edge, by rounding: where it did, at random, walls pressed along themselves, by
  * their rows of boundary particles, and liquid at rest on a slope moved. */
-static const double FLAT = 1e-9;
+SPH2D__FIXED double FLAT = 1e-9;
 
 /** Q of the walls in slots from k on. In inner corners walls also press across the largest eigenvalue's direction, as far as
  *  liquid presses against them: of the far wall of a corner a particle sees little, so that by normals alone it had a small
@@ -151,9 +151,13 @@ SPH2D__INLINE directions directions_of(const sph2d__system *s, size_t first, siz
 /** Takes a part of C. */
 SPH2D__INLINE void take_turn(sph2d__frozen *z, size_t first, sph2d__lanes part)
 {
-    double *const all[] = {z->walled, z->cxx, z->cxy, z->cyx, z->cyy};
-    for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
-        sph2d__lanes_store(all[k] + first, part * sph2d__lanes_load(all[k] + first));
+#define TAKE(name) sph2d__lanes_store(z->name + first, part * sph2d__lanes_load(z->name + first));
+    TAKE(walled)
+    TAKE(cxx)
+    TAKE(cxy)
+    TAKE(cyx)
+    TAKE(cyy)
+#undef TAKE
 }
 
 /** Finds the walls that particles are in front of: those at their foot, no more than a spacing away, or a sheet would stop
@@ -164,8 +168,8 @@ SPH2D__INLINE void find_front(const sph2d__system *s, size_t first, size_t k, ui
     sph2d__frozen *z = s->frozen;
     const sph2d__lanes none = {0};
     sph2d__lanes weight = {0}, away = {0}, x = {0}, y = {0}, vx = {0}, vy = {0};
-    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__LANES) {
-        const uint32_t *b = s->neighbours.index + k;
+    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__STRIDE) {
+        SPH2D__ARRAY const uint32_t *b = s->neighbours.index + k;
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k);
         const sph2d__lanes rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
         const sph2d__lanes nx = sph2d__lanes_gather(w->normal_x, b), ny = sph2d__lanes_gather(w->normal_y, b);
@@ -192,7 +196,8 @@ SPH2D__INLINE void find_front(const sph2d__system *s, size_t first, size_t k, ui
 
 /** Sums over the walls of a slice whose B are known. Walls act along their normals alone, as smooth as they are, but for
  *  the pressure's gradient. */
-SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2d__slice *at, const wall_sums *behind)
+SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, SPH2D__ARRAY const sph2d__slice *at,
+                                const wall_sums *behind)
 {
     const sph2d__neighbours *n = &s->neighbours;
     const sph2d__store *w = &s->walls;
@@ -200,7 +205,7 @@ SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2
     const sph2d__lanes bxx = sph2d__lanes_load(z->bxx + first), bxy = sph2d__lanes_load(z->bxy + first),
                        byy = sph2d__lanes_load(z->byy + first), none = {0};
     sph2d__lanes sx = {0}, sy = {0}, rate = {0}, tx = {0}, ty = {0}, away = {0}, weight = {0};
-    size_t k = at->begin + (size_t)at->fluid * SPH2D__LANES;
+    size_t k = at->begin + (size_t)at->fluid * SPH2D__STRIDE;
     find_front(s, first, k, at->walls);
     const directions to = directions_of(s, first, k, at->walls, behind);
     const symmetric q = to.q;
@@ -208,8 +213,8 @@ SPH2D__INLINE void finish_walls(const sph2d__system *s, size_t first, const sph2
     sph2d__lanes_store(z->wall_xx + first, q.xx);
     sph2d__lanes_store(z->wall_xy + first, q.xy);
     sph2d__lanes_store(z->wall_yy + first, q.yy);
-    for (uint32_t slot = 0; slot < at->walls; ++slot, k += SPH2D__LANES) {
-        const uint32_t *b = n->index + k;
+    for (uint32_t slot = 0; slot < at->walls; ++slot, k += SPH2D__STRIDE) {
+        SPH2D__ARRAY const uint32_t *b = n->index + k;
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
                            rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
         const sph2d__lanes nx = sph2d__lanes_gather(w->normal_x, b), ny = sph2d__lanes_gather(w->normal_y, b);

@@ -179,11 +179,21 @@ static bool reserve_walls(sph2d__system *s)
     return true;
 }
 
+/* Entries of s, of what is beyond a plane, and of its integral. */
+enum { TABLES = SPH2D__FREE_PARTS + 1 + 2 * (SPH2D__PLANE_PARTS + 1) };
+
 bool sph2d__frozen_start(sph2d__system *s, const sph2d__sides *sides)
 {
     s->frozen = sph2d__alloc(s->memory, 1, sizeof *s->frozen);
     if (!s->frozen)
         return false;
+    s->frozen->left = sph2d__alloc(s->memory, TABLES, sizeof(double));
+    if (!s->frozen->left) {
+        sph2d__frozen_free(s);
+        return false;
+    }
+    s->frozen->beyond = s->frozen->left + SPH2D__FREE_PARTS + 1;
+    s->frozen->lift = s->frozen->beyond + SPH2D__PLANE_PARTS + 1;
     s->frozen->sides = *sides;
     find_left(s, s->frozen);
     find_beyond(s, s->frozen);
@@ -206,7 +216,8 @@ void sph2d__frozen_free(sph2d__system *s)
                        blocks[k].size);
     sph2d__frozen_bodies_free(s);
     sph2d__close_free(s);
-    void *of_walls = z->part, *all = z;
+    void *of_walls = z->part, *tables = z->left, *all = z;
+    sph2d__release(s->memory, &tables, tables ? TABLES : 0, sizeof(double));
     sph2d__release(s->memory, &of_walls, z->walls, sizeof *z->part);
     sph2d__store_free(&z->images, s->memory);
     sph2d__cells_free(&z->image_cells, s->memory);

@@ -4,13 +4,13 @@
 #ifndef SPH2D_METHODS_WCSPH_WCSPH_PAIR_H
 #define SPH2D_METHODS_WCSPH_WCSPH_PAIR_H
 
-#include "methods/wcsph/wcsph.h"
+#include "methods/wcsph/wcsph_frozen.h"
 #include "simd/lanes.h"
 
 /* Factor of the limiter of dissipation (Zhang, Hu & Adams 2017). */
-static const double SPH2D__LIMITER = 3;
+SPH2D__FIXED double SPH2D__LIMITER = 3;
 /* C, the factor of the diffusion of density. */
-static const double SPH2D__DIFFUSION = 0.03;
+SPH2D__FIXED double SPH2D__DIFFUSION = 0.03;
 
 /** A symmetric matrix in each lane. */
 typedef struct symmetric {

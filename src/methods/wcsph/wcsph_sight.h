@@ -11,9 +11,9 @@
 #include "methods/wcsph/wcsph_front.h"
 
 /* How much of a row of boundary particles is at the foot of a particle that is before a face, and not past its end. */
-static const double ON_FACE = 0.5;
+SPH2D__FIXED double ON_FACE = 0.5;
 /* The distance of particles that no face hides anything from [m]. */
-static const double NO_FACE = 1e30;
+SPH2D__FIXED double NO_FACE = 1e30;
 
 /** The nearest face before which the particles `first` on are, where they are behind another within the support: the wall in
  *  `slots` from k on is thin there. */
@@ -26,8 +26,8 @@ SPH2D__INLINE void find_sight(const sph2d__system *s, size_t first, size_t k, ui
                        one = sph2d__lanes_all(1);
     const sph2d__lanes x = sph2d__lanes_load(s->fluid.x + first), y = sph2d__lanes_load(s->fluid.y + first);
     sph2d__lanes nearest = far, nx = none, ny = none, hidden = none, foot = none;
-    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__LANES) {
-        const uint32_t *b = s->neighbours.index + k;
+    for (uint32_t slot = 0; slot < slots; ++slot, k += SPH2D__STRIDE) {
+        SPH2D__ARRAY const uint32_t *b = s->neighbours.index + k;
         const sph2d__lanes rx = sph2d__shortest(x - sph2d__lanes_gather(w->x, b), period->length_x),
                            ry = sph2d__shortest(y - sph2d__lanes_gather(w->y, b), period->length_y);
         const sph2d__lanes bx = sph2d__lanes_gather(w->normal_x, b), by = sph2d__lanes_gather(w->normal_y, b);
@@ -63,8 +63,8 @@ SPH2D__INLINE void hide_pairs(const sph2d__system *s, size_t first, size_t at, u
                        ny = sph2d__lanes_load(z->sight_y + first);
     if (sph2d__lanes_which(d, 1e20) == 0)
         return;
-    for (size_t k = at; k < at + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
-        const uint32_t *j = s->neighbours.index + k;
+    for (size_t k = at; k < at + (size_t)slots * SPH2D__STRIDE; k += SPH2D__STRIDE) {
+        SPH2D__ARRAY const uint32_t *j = s->neighbours.index + k;
         const sph2d__lanes rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k),
                            gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k);
         const sph2d__lanes mx = sph2d__lanes_gather(z->sight_x, j), my = sph2d__lanes_gather(z->sight_y, j);
@@ -94,27 +94,28 @@ SPH2D__INLINE void hide_pairs(const sph2d__system *s, size_t first, size_t at, u
 }
 
 /* Part of what is beyond a plane that is missed for certain: sums over rows of boundary particles differ by less. */
-static const double KNOWN = 0.85;
+SPH2D__FIXED double KNOWN = 0.85;
 /* Over the part of a plane that liquid behind a wall fills, from which on none of it counts as empty. */
-static const double COUNTS = 2;
+SPH2D__FIXED double COUNTS = 2;
 
 /** sum |G| beyond a plane at these distances [1/m]. */
 SPH2D__INLINE sph2d__lanes beyond_plane(const sph2d__system *s, sph2d__lanes distance)
 {
-    const double *beyond = s->frozen->beyond;
+    SPH2D__ARRAY const double *beyond = s->frozen->beyond;
     sph2d__lanes sum;
     for (int l = 0; l < SPH2D__LANES; ++l) {
-        const double at = distance[l] / s->support * SPH2D__PLANE_PARTS;
+        const double at = SPH2D__LANE(distance, l) / s->support * SPH2D__PLANE_PARTS;
         const int k = at < SPH2D__PLANE_PARTS ? (int)at : SPH2D__PLANE_PARTS;
-        sum[l] = k < SPH2D__PLANE_PARTS ? (beyond[k] - beyond[k + 1]) * (SPH2D__PLANE_PARTS / s->support) : 0;
+        SPH2D__LANE(sum, l) =
+            k < SPH2D__PLANE_PARTS ? (beyond[k] - beyond[k + 1]) * (SPH2D__PLANE_PARTS / s->support) : 0;
     }
     return sum;
 }
 
 /** 1 for boundary particles of the face before which a particle is, with normal n, else 0. r: from them to it. Walls on its
  *  other side have normals like n, too, where it is in a gap: with theirs the face's own sum was next to nothing. */
-SPH2D__INLINE sph2d__lanes on_face(const sph2d__system *s, const uint32_t *b, sph2d__lanes nx, sph2d__lanes ny,
-                                   sph2d__lanes rx, sph2d__lanes ry)
+SPH2D__INLINE sph2d__lanes on_face(const sph2d__system *s, SPH2D__ARRAY const uint32_t *b, sph2d__lanes nx,
+                                   sph2d__lanes ny, sph2d__lanes rx, sph2d__lanes ry)
 {
     const sph2d__lanes none = {0}, along = nx * sph2d__lanes_gather(s->walls.normal_x, b) +
                                            ny * sph2d__lanes_gather(s->walls.normal_y, b);
@@ -131,7 +132,7 @@ SPH2D__INLINE sph2d__lanes thickness_of(const sph2d__system *s, size_t first, si
     const sph2d__lanes none = {0}, distance = sph2d__lanes_load(z->sight + first);
     const sph2d__lanes nx = sph2d__lanes_load(z->sight_x + first), ny = sph2d__lanes_load(z->sight_y + first);
     sph2d__lanes wx = none, wy = none, solid = none;
-    for (size_t k = begin; k < begin + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
+    for (size_t k = begin; k < begin + (size_t)slots * SPH2D__STRIDE; k += SPH2D__STRIDE) {
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
                            rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
         const sph2d__lanes on = on_face(s, s->neighbours.index + k, nx, ny, rx, ry);
@@ -161,7 +162,7 @@ SPH2D__INLINE symmetric thicken(const sph2d__system *s, size_t first, size_t beg
     const sph2d__lanes more = thickness_of(s, first, begin, slots, behind);
     const sph2d__lanes nx = sph2d__lanes_load(z->sight_x + first), ny = sph2d__lanes_load(z->sight_y + first);
     sph2d__lanes_store(z->thicker + first, more);
-    for (size_t k = begin; k < begin + (size_t)slots * SPH2D__LANES; k += SPH2D__LANES) {
+    for (size_t k = begin; k < begin + (size_t)slots * SPH2D__STRIDE; k += SPH2D__STRIDE) {
         const sph2d__lanes gx = sph2d__floats_load(z->gx + k), gy = sph2d__floats_load(z->gy + k),
                            rx = sph2d__floats_load(z->rx + k), ry = sph2d__floats_load(z->ry + k);
         const sph2d__lanes on = more * on_face(s, s->neighbours.index + k, nx, ny, rx, ry);
