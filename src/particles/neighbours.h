@@ -42,6 +42,7 @@ typedef struct sph2d__neighbours {
         *found;       /**< of each slab: buffer for the search of a slice's neighbours, `longest` for each particle */
     size_t particles; /**< capacity */
     size_t each;      /**< capacity in pairs per particle, on average over a slab */
+    size_t stride;    /**< from a slot of a slice to the next: `lanes`, or more where the slots of slices take turns */
     size_t lanes; /**< particles of a slice, and the stride from slot to slot: as in the loops that filled it last. The
                      instruction set does not determine it, as compiler flags may widen all of them */
 } sph2d__neighbours;

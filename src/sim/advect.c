@@ -285,10 +285,11 @@ sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sp
         for (size_t n = first; n < batches && n < first + BATCHES; ++n) {
             sph2d__batch batch;
             batch.first = n * SPH2D__BATCH;
-            batch.kick = batch.diffused = 0;
+            batch.kick = 0;
+            batch.diffused = 0;
             batch.count = count - batch.first < SPH2D__BATCH ? count - batch.first : SPH2D__BATCH;
             set(sim, dt, &batch);
-            met.diffused += sph2d__quanta_of(sph2d__sim_energy_quantum(sim), batch.diffused);
+            met.diffused += batch.diffused;
             advect_batch(sim, shift, &batch, &met);
             if (after)
                 after(sim, dt, &batch);

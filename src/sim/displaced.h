@@ -15,9 +15,10 @@ typedef struct sph2d__kicked {
 
 /** The way of a particle in an advection. */
 typedef struct sph2d__way {
-    double dx, dy; /**< displacement [m] */
-    sph2d_vec2 v;  /**< velocity, which walls may change [m/s] */
-    double kick;   /**< for how long the accelerations have just acted, and elastic energy not yet [s] */
+    double dx, dy;   /**< displacement [m] */
+    sph2d_vec2 v;    /**< velocity, which walls may change [m/s] */
+    double kick;     /**< for how long the accelerations have just acted, and elastic energy not yet [s] */
+    double diffused; /**< elastic energy lost otherwise than by its velocity [J/m] */
 } sph2d__way;
 
 /** Position and velocity of a particle after its displacement. */

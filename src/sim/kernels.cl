@@ -311,7 +311,9 @@ static inline void add_events(__local sph2d__events *parts, __global uchar *resu
         const sph2d__advection with = *(__global const sph2d__advection *)(numbers + own_at);                          \
         sph2d__events met = {0};                                                                                       \
         if (i < count) {                                                                                               \
-            advect_one(arena, &s, &with, i, set(&s, with.dt, i), &met);                                                \
+            const sph2d__way way = set(&s, with.dt, i);                                                                \
+            met.diffused = sph2d__quanta_of(with.quantum, way.diffused);                                               \
+            advect_one(arena, &s, &with, i, way, &met);                                                                \
             after(&s, with.dt, i);                                                                                     \
         }                                                                                                              \
         parts[get_local_id(0)] = met;                                                                                  \

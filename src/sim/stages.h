@@ -14,7 +14,7 @@ typedef struct sph2d__batch {
     size_t first, count;
     double dx[SPH2D__BATCH], dy[SPH2D__BATCH]; /**< displacements [m] */
     double vx[SPH2D__BATCH], vy[SPH2D__BATCH]; /**< velocities, which walls may change [m/s] */
-    double diffused; /**< elastic energy that they lost otherwise than by their velocities; 0 unless set [J/m] */
+    int64_t diffused; /**< elastic energy that they lost otherwise than by their velocities, in quanta; 0 unless set */
     double kick; /**< for how long the accelerations have just acted, and elastic energy not yet; 0 unless set [s] */
 } sph2d__batch;
 

@@ -11,7 +11,7 @@ static inline sph2d__way sph2d__kick_drift(const sph2d__system *s, double dt, si
 {
     const sph2d__store *f = &s->fluid;
     const sph2d_vec2 v = {f->vx[i] + dt / 2 * f->ax[i], f->vy[i] + dt / 2 * f->ay[i]};
-    return (sph2d__way){dt * v.x, dt * v.y, v, 0};
+    return (sph2d__way){dt * v.x, dt * v.y, v, 0, 0};
 }
 
 /** Predicts the velocity with which a(n+1) is evaluated: v(n+1/2) + dt/2 a(n). */

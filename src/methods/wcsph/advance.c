@@ -12,62 +12,22 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "methods/common/on_device.h"
 #include "methods/wcsph/wcsph.h"
+#include "methods/wcsph/wcsph_spans.h"
 #include "sim/stages.h"
-
-/** Puts the particles where they will be in the middle of the step; next_x and next_y keep where they were. */
-static void go_to_middle(sph2d__system *s, size_t first, size_t last)
-{
-    sph2d__store *f = &s->fluid;
-    const sph2d__period *p = &s->fluid_cells.period;
-    for (size_t i = first; i < last; ++i) {
-        f->next_x[i] = f->x[i];
-        f->next_y[i] = f->y[i];
-        f->x[i] = sph2d__period_wrap(f->x[i] + s->step / 2 * f->vx[i], p->low_x, p->length_x);
-        f->y[i] = sph2d__period_wrap(f->y[i] + s->step / 2 * f->vy[i], p->low_y, p->length_y);
-    }
-}
-
-static void go_back(sph2d__system *s, size_t first, size_t last)
-{
-    sph2d__store *f = &s->fluid;
-    memcpy(f->x + first, f->next_x + first, (last - first) * sizeof *f->x);
-    memcpy(f->y + first, f->next_y + first, (last - first) * sizeof *f->y);
-}
-
-/** What sides store of a particle more where shifting takes it [J/kg]. */
-static double stored_by_shift(const sph2d__system *s, size_t i)
-{
-    const sph2d__frozen *z = s->frozen;
-    return sph2d__side_energy(s, z->px[i] + z->shift_x[i], z->py[i] + z->shift_y[i]) -
-           sph2d__side_energy(s, z->px[i], z->py[i]);
-}
-
-/** By how much shifting lifts a particle [J/kg]. */
-static double lifted(const sph2d__system *s, size_t i)
-{
-    const sph2d__frozen *z = s->frozen;
-    return sph2d__forces_potential(&s->forces, z->px[i] + z->shift_x[i], z->py[i] + z->shift_y[i]) -
-           sph2d__forces_potential(&s->forces, z->px[i], z->py[i]);
-}
 
 /** The whole way of the step. */
 static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
-    const sph2d__system *s = &sim->system;
-    const sph2d__store *f = &s->fluid;
-    const sph2d__frozen *z = s->frozen;
-    (void)dt;
-    for (size_t k = 0, i = w->first; k < w->count; ++k, ++i) {
-        w->dx[k] = z->px[i] - f->x[i] + z->shift_x[i];
-        w->dy[k] = z->py[i] - f->y[i] + z->shift_y[i];
-        if (s->fills) {
-            const double stored = stored_by_shift(s, i);
-            w->diffused -= s->mass * (lifted(s, i) + stored);
-            f->stored[i] += stored;
-        }
-        w->vx[k] = f->vx[i];
-        w->vy[k] = f->vy[i];
+    const double quantum = sph2d__sim_energy_quantum(sim);
+    for (size_t k = 0; k < w->count; ++k) {
+        const sph2d__way way = whole_way(&sim->system, dt, w->first + k);
+        w->dx[k] = way.dx;
+        w->dy[k] = way.dy;
+        w->vx[k] = way.v.x;
+        w->vy[k] = way.v.y;
+        w->diffused += sph2d__quanta_of(quantum, way.diffused);
     }
 }
 
@@ -75,12 +35,6 @@ static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 
 /* In how many H/c0 density goes to its sum over the neighbours. */
 static const double RELAXATION_TIME = 100;
-
-/** What a particle's theta changes by, in a part of its way to the sum. */
-static double relaxed(const sph2d__system *s, size_t i, double part)
-{
-    return part * s->frozen->summed[i] / sph2d__density_ratio(s->fluid.log_density[i]);
-}
 
 /** Sums up theta^2/2 that relaxation adds. */
 static void sum_relaxed(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
@@ -176,17 +130,6 @@ static void swap(float **a, float **b)
     float *c = *a;
     *a = *b;
     *b = c;
-}
-
-/** What is read from outside. */
-static void report(sph2d__system *s, size_t first, size_t last)
-{
-    const sph2d__store *f = &s->fluid;
-    const double c2 = s->sound_speed * s->sound_speed;
-    for (size_t i = first; i < last; ++i) {
-        f->density[i] = s->rest_density * sph2d__density_ratio(f->log_density[i]);
-        f->pressure[i] = f->density[i] * c2 * f->log_density[i];
-    }
 }
 
 /** As many as the liquid needs, with the viscosity that it has now, and bodies. */
@@ -332,7 +275,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
     sph2d__system *s = &sim->system;
     const double start = sim->record.time, middle = start + dt / 2, end = start + dt;
     sph2d__bodies_drift(sim, dt);
-    sph2d__over_particles(s, s->fluid.count, go_to_middle, NULL);
+    sph2d__over_particles(s, s->fluid.count, go_to_middle, "go_to_middle_pass");
     sph2d_status status = sph2d__sort_fluid(sim);
     if (status == SPH2D_OK)
         status = sph2d__sim_update_forcing(sim, middle);
@@ -356,7 +299,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
         relax(sim, dt, dissipated(sim) - before);
     }
     pay_for_shift(s, dissipated(sim) - before);
-    sph2d__over_particles(s, s->fluid.count, report, NULL);
+    sph2d__over_particles(s, s->fluid.count, report, "report_pass");
     sph2d__sim_set_drift_interval(sim, start, middle); /* torques about what boundary particles were placed about */
     sph2d__loads_find(sim, 1);
     status = push_bodies(sim, dt);
@@ -364,7 +307,7 @@ sph2d_status sph2d__wcsph_step(sph2d_sim *sim, double dt)
         return status;
     sph2d__sim_book_wall_work(sim, dt);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
-    sph2d__over_particles(s, s->fluid.count, go_back, NULL);
+    sph2d__over_particles(s, s->fluid.count, go_back, "go_back_pass");
     sph2d__sim_set_drift_interval(sim, start, end);
     status = sph2d__advect(sim, dt, go, NULL);
     if (status == SPH2D_OK)

@@ -13,43 +13,12 @@
 #include "methods/terms/stick.h"
 #include "methods/terms/tension.h"
 #include "methods/wcsph/wcsph.h"
+#include "methods/wcsph/wcsph_stick.h"
 
 sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *s, size_t i, size_t b, double gx, double gy, double x,
                                            double y)
 {
-    const sph2d__store *w = &s->walls;
-    const double size2 = gx * gx + gy * gy, gain = size2 > 0 ? sph2d__stick(s, b, x, y) : 0;
-    const double mu = s->viscosities ? s->viscosities[i] : s->viscosity;
-    const double scale = gain > 0 ? mu / s->rest_density * s->central_weight * hypot(x, y) / sqrt(size2) : 0;
-    const double turn = (gain - 1) * (s->wall_spin ? s->wall_spin[w->id[b]] : 0);
-    const double along = scale * (gx * (gain * w->vx[b] - turn * y) + gy * (gain * w->vy[b] + turn * x));
-    return (sph2d__frozen_stick){gain * scale * gx * gx, gain * scale * gx * gy, gain * scale * gy * gy, along * gx,
-                                 along * gy};
-}
-
-/** Sums over the walls around some particles. */
-static void stick_some(sph2d__system *s, size_t first, size_t last)
-{
-    const sph2d__neighbours *n = &s->neighbours;
-    sph2d__frozen *z = s->frozen;
-    for (size_t i = first; i < last; ++i) {
-        const sph2d__slice *at = &n->slices[i / n->lanes];
-        sph2d__frozen_stick sum = {0};
-        size_t k = at->begin + (size_t)at->fluid * n->lanes + i % n->lanes;
-        for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->lanes) {
-            if (n->index[k] >= s->walls.count)
-                continue;
-            const sph2d__frozen_stick b = sph2d__frozen_stick_of(s, i, n->index[k], (double)z->gx[k], (double)z->gy[k],
-                                                                 (double)z->rx[k], (double)z->ry[k]);
-            sum = (sph2d__frozen_stick){sum.xx + b.xx, sum.xy + b.xy, sum.yy + b.yy, sum.x + b.x, sum.y + b.y};
-        }
-        z->stick_xx[i] = sum.xx;
-        z->stick_xy[i] = sum.xy;
-        z->stick_yy[i] = sum.yy;
-        z->stick_x[i] = sum.x;
-        z->stick_y[i] = sum.y;
-        z->mean_vx[i] = z->mean_vy[i] = 0;
-    }
+    return stick_of(s, i, b, gx, gy, x, y);
 }
 
 static void clear_some(sph2d__system *s, size_t first, size_t last)
@@ -102,9 +71,9 @@ static slopes slopes_at_walls(const sph2d__system *s, size_t i)
     slopes sum = {alone.xx * xx + alone.xy * xy, alone.xx * xy + alone.xy * yy, alone.yx * xx + alone.yy * xy,
                   alone.yx * xy + alone.yy * yy};
     const sph2d__slice *at = &n->slices[i / n->lanes];
-    size_t k = at->begin + (size_t)at->fluid * n->lanes + i % n->lanes;
+    size_t k = at->begin + (size_t)at->fluid * n->stride + i % n->lanes;
     bool sticks = false;
-    for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->lanes) {
+    for (uint32_t slot = 0; slot < at->walls; ++slot, k += n->stride) {
         const size_t b = n->index[k];
         const double gx = (double)z->gx[k], gy = (double)z->gy[k], x = (double)z->rx[k], y = (double)z->ry[k];
         const double stick = b < w->count && (gx != 0 || gy != 0) ? sph2d__stick(s, b, x, y) : 0;
@@ -137,18 +106,6 @@ static void strain_some(sph2d__system *s, size_t first, size_t last)
     }
 }
 
-/** Leaves to e what viscosity does not do: it makes what is not linear in a lattice fade at the rate mu/rho0 4/<r^2>
- *  sum |G| r, too. */
-static void spare_some(sph2d__system *s, size_t first, size_t last)
-{
-    const double unit = s->central_weight * s->lattice_slopes / s->rest_density,
-                 wanted = SPH2D__SMOOTHING * s->sound_speed / s->spacing;
-    for (size_t i = first; i < last; ++i) {
-        const double rate = unit * (s->viscosities ? s->viscosities[i] : s->viscosity);
-        s->frozen->smooth[i] *= sqrt(fmax(1 - rate / wanted, 0));
-    }
-}
-
 bool sph2d__frozen_rub(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
@@ -162,12 +119,12 @@ bool sph2d__frozen_rub(sph2d__system *s)
     for (size_t i = count; s->viscosities && i < count + SPH2D__WIDEST; ++i)
         s->viscosities[i] = s->viscosity; /* what lists end with */
     if (s->viscosity > 0)
-        sph2d__over_particles(s, count, spare_some, NULL);
+        sph2d__over_particles(s, count, spare_some, "spare_pass");
     z->sticks = s->walls_rough && s->walls_press && s->viscosity > 0;
     z->rubs = sph2d__has_friction(s);
     z->pulls = s->surface_tension > 0;
     if (z->sticks)
-        sph2d__over_particles(s, count, stick_some, NULL);
+        sph2d__over_particles(s, count, stick_some, "stick_pass");
     if (!z->rubs && !z->pulls)
         return true;
     sph2d__over_particles(s, count, clear_some, NULL);

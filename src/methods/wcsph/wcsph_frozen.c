@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "kernels/kernel.h"
+#include "methods/common/on_device.h"
 #include "methods/wcsph/wcsph.h"
+#include "methods/wcsph/wcsph_spans.h"
 
 /* Lattice sites on either side of a particle. */
 enum { REACH = SPH2D__LATTICE_REACH };
@@ -269,16 +271,6 @@ static const double MARGIN = 1.5;
 /* Particles of a close pair that come nearer by more than this, over dx, are none in the middle of the step. */
 static const double MOST_APART = 0.8;
 
-/** What sums read of neighbours. */
-static void keep_state(sph2d__system *s, size_t first, size_t last)
-{
-    const sph2d__store *f = &s->fluid;
-    for (size_t i = first; i < last; ++i) {
-        const float row[4] = {(float)f->vx[i], (float)f->vy[i], (float)f->log_density[i], 0};
-        memcpy(s->frozen->state + 4 * i, row, sizeof row);
-    }
-}
-
 static void gather_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
@@ -292,42 +284,8 @@ static void see_slab(sph2d__system *s, const sph2d__slab *slab, const void *with
     sph2d__wcsph_gather_find(s->isa)->see(s, slab->first / SPH2D__SLAB);
 }
 
-/* The largest g c0 dt of a particle. With g = (|B| + |C|) sum |G| + |S| no row of D has a larger sum than 2 g. On a lattice
- * its norm is 0.52 sum |G|, so that a leapfrog is stable up to g c0 dt = 3.8. */
-static const double MOST_RATE = 2;
-
 /* An acoustic step over H/c0, by which C is bounded where a step has none. */
 static const double ACOUSTIC = 0.2;
-
-/** Bounds C of particle i, and Z m c0 H, by what an acoustic step bears. */
-static void bound(const sph2d__system *s, size_t i)
-{
-    sph2d__frozen *z = s->frozen;
-    const double trace = z->bxx[i] + z->byy[i], det = z->bxx[i] * z->byy[i] - z->bxy[i] * z->bxy[i];
-    const double largest = (trace + sqrt(fmax(trace * trace - 4 * det, 0))) / 2;
-    const double turned2 =
-        z->cxx[i] * z->cxx[i] + z->cxy[i] * z->cxy[i] + z->cyx[i] * z->cyx[i] + z->cyy[i] * z->cyy[i];
-    const double straight = largest * z->weight[i] + sqrt(z->sx[i] * z->sx[i] + z->sy[i] * z->sy[i]),
-                 turned = sqrt(turned2) * z->weight[i], most = MOST_RATE / (s->sound_speed * z->dt);
-    const double part = straight + turned > most && turned > 0 ? fmax(most - straight, 0) / turned : 1;
-    z->cxx[i] *= part;
-    z->cxy[i] *= part;
-    z->cyx[i] *= part;
-    z->cyy[i] *= part;
-    z->wall_zx[i] *= part;
-    z->wall_zy[i] *= part;
-    z->walled[i] *= part;
-    /* The columns of D's transpose are as large where particles are alike: stable with Z c0 H (2 g)^2 dt = 2. Here it is 1. */
-    const double g = straight + part * turned, diffusivity = SPH2D__DAMPING * s->sound_speed * s->support,
-                 limit = 4 * g * g * z->dt;
-    z->damping[i] = s->mass * (diffusivity * limit > 1 ? 1 / limit : diffusivity);
-}
-
-static void bound_some(sph2d__system *s, size_t first, size_t last)
-{
-    for (size_t i = first; i < last; ++i)
-        bound(s, i);
-}
 
 /* R in an implicit step, over rho0 c0^2 dx and max_compression: four times the head that the sound speed is made for, so
  * that a pair at r0/2 bears the pressure of it. What pressure drives together within a step takes no work for its energy. */
@@ -343,10 +301,10 @@ bool sph2d__frozen_gather(sph2d__system *s)
     for (;; each = 2 * s->neighbours.each) {
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each, false) || !reserve(s))
             return false;
-        s->neighbours.lanes = pass->lanes;
+        s->neighbours.lanes = s->neighbours.stride = pass->lanes;
         s->frozen->apart = SPH2D__CLOSE * s->spacing + fmin(MARGIN * s->speed * s->step, MOST_APART * s->spacing);
         end_rows(s);
-        sph2d__over_particles(s, s->fluid.count, keep_state, NULL);
+        sph2d__over_particles(s, s->fluid.count, keep_state, "keep_state_pass");
         sph2d__images_start(s);
         s->frozen->thin = s->walls_press && s->frozen->sides.first > 0;
         if (s->frozen->thin) {
@@ -357,12 +315,12 @@ bool sph2d__frozen_gather(sph2d__system *s)
             break;
     }
     sph2d__images_of_slopes(s);
-    sph2d__over_particles(s, s->fluid.count, pass->compare, NULL);
+    sph2d__over_particles(s, s->fluid.count, pass->compare, "compare_pass");
     s->frozen->dt =
         is_implicit(s) ? ACOUSTIC * s->support / s->sound_speed : s->step / (double)sph2d__acoustic_steps(s, s->step);
     s->frozen->most_brake = 1;
     s->frozen->repulsion =
         is_implicit(s) ? fmin(BEARS_HEAD * s->method.max_compression, SPH2D__REPULSION) : SPH2D__REPULSION;
-    sph2d__over_particles(s, s->fluid.count, bound_some, NULL);
+    sph2d__over_particles(s, s->fluid.count, bound_some, "bound_pass");
     return !is_implicit(s) || sph2d__close_reserve(s);
 }
