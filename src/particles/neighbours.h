@@ -24,8 +24,8 @@
 
 /** Particles of a slab: few enough to balance uneven work; a multiple of the lanes of every instruction set. */
 enum { SPH2D__SLAB = 256 };
-/** Lanes of the narrowest and the widest instruction set. */
-enum { SPH2D__NARROWEST = 2, SPH2D__WIDEST = 8 };
+/** Lanes of a device, the narrowest, and of the widest instruction set. */
+enum { SPH2D__NARROWEST = 1, SPH2D__WIDEST = 8 };
 
 /** The pairs of a slice. A slot has one pair of each of its particles. */
 typedef struct sph2d__slice {

@@ -106,13 +106,22 @@ const void *sph2d__device_written_by(const sph2d__system *s, const char *kernel,
     return sph2d__device_results(s->device, kernel, s->fluid.count, with, bytes, SPH2D__OF_FLUID, size);
 }
 
-sph2d__slab_sum sph2d__device_sum(const sph2d__system *s, const char *kernel, const void *with, size_t bytes)
+static sph2d__slab_sum total_of(const sph2d__system *s, const sph2d__slab_sum *sums)
 {
-    const sph2d__slab_sum *sums = sph2d__device_read_by(s, kernel, with, bytes, sizeof *sums);
     sph2d__slab_sum total = {0};
     for (size_t k = 0; sums && k < sph2d__slabs(s->fluid.count); ++k)
         sph2d__slab_add(&total, &sums[k]);
     return total;
+}
+
+sph2d__slab_sum sph2d__device_sum(const sph2d__system *s, const char *kernel, const void *with, size_t bytes)
+{
+    return total_of(s, sph2d__device_read_by(s, kernel, with, bytes, sizeof(sph2d__slab_sum)));
+}
+
+sph2d__slab_sum sph2d__device_work(const sph2d__system *s, const char *kernel, const void *with, size_t bytes)
+{
+    return total_of(s, sph2d__device_written_by(s, kernel, with, bytes, sizeof(sph2d__slab_sum)));
 }
 
 uint64_t sph2d__device_offset(const sph2d__system *s, const void *array)

@@ -27,6 +27,9 @@ const void *sph2d__device_written_by(const sph2d__system *system, const char *ke
 /** The total of the sums of a kernel, as sph2d__sum_fluid(). */
 sph2d__slab_sum sph2d__device_sum(const sph2d__system *system, const char *kernel, const void *with, size_t bytes);
 
+/** The same of one that writes arrays of the fluid, as sph2d__over_fluid(). */
+sph2d__slab_sum sph2d__device_work(const sph2d__system *system, const char *kernel, const void *with, size_t bytes);
+
 /** Where the device has an array of the system. */
 uint64_t sph2d__device_offset(const sph2d__system *system, const void *array);
 

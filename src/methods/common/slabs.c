@@ -53,8 +53,11 @@ static sph2d__slab_sum over(sph2d__system *s, bool walls, sph2d__slab_work *work
     return total;
 }
 
-sph2d__slab_sum sph2d__over_fluid(sph2d__system *s, sph2d__slab_work *work, const void *with)
+sph2d__slab_sum sph2d__over_fluid(sph2d__system *s, sph2d__slab_work *work, const void *with, const char *kernel,
+                                  size_t size)
 {
+    if (sph2d__is_on_device(s))
+        return sph2d__device_work(s, kernel, with, size);
     return over(s, false, work, with);
 }
 

@@ -15,8 +15,10 @@ void sph2d__slab_add(sph2d__slab_sum *total, const sph2d__slab_sum *sum);
 /** Work on a slab; `sum` is zero at first. */
 typedef void sph2d__slab_work(sph2d__system *system, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum);
 
-/** Calls `work` on every slab of the fluid; returns the total of the sums. */
-sph2d__slab_sum sph2d__over_fluid(sph2d__system *system, sph2d__slab_work *work, const void *with);
+/** Calls `work` on every slab of the fluid; returns the total of the sums. Where a device has the particles, runs its kernel of that
+ *  name (on_device.h) with `size` bytes of `with`; NULL in methods that devices do not know. */
+sph2d__slab_sum sph2d__over_fluid(sph2d__system *system, sph2d__slab_work *work, const void *with, const char *kernel,
+                                  size_t size);
 
 /** The same for work that only sums: the system stays as it is. */
 sph2d__slab_sum sph2d__sum_fluid(const sph2d__system *system, sph2d__slab_work *work, const void *with);

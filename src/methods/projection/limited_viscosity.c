@@ -43,6 +43,6 @@ double sph2d__limited_viscosity_apply(sph2d__system *s, double dt)
         return 0;
     /* The particle that shorter lists end with has gradients of zero; its values only have to be finite. */
     f->vx[f->count] = f->vy[f->count] = f->stretch[f->count] = f->shear[f->count] = f->density_rate[f->count] = 0;
-    sph2d__over_fluid(s, accelerate_slab, &nu);
-    return s->mass * sph2d__over_fluid(s, kick_slab, &dt).first;
+    sph2d__over_fluid(s, accelerate_slab, &nu, NULL, 0);
+    return s->mass * sph2d__over_fluid(s, kick_slab, &dt, NULL, 0).first;
 }

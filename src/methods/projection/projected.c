@@ -107,7 +107,7 @@ static double theta_of(double above, double whole, double middle, double curve)
 static void split(sph2d_sim *sim, double dt)
 {
     double mass = sim->system.mass, walls = sph2d__sim_book_wall_work(sim, dt) / mass;
-    sph2d__slab_sum w = sph2d__over_fluid(&sim->system, sum_work, NULL);
+    sph2d__slab_sum w = sph2d__over_fluid(&sim->system, sum_work, NULL, NULL, 0);
     sph2d__bodies_add_work(sim, dt, &w);
     double above = w.first - walls, whole = w.second + w.third, curve = 2 * (w.second - w.third - w.first);
     sim->split = above > 0 ? fmin(theta_of(above, whole, w.second, curve), 1) : 0;

@@ -86,7 +86,7 @@ static void press_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
 
 void sph2d__projection_next_positions(sph2d__system *s)
 {
-    sph2d__over_fluid(s, move_slab, NULL);
+    sph2d__over_fluid(s, move_slab, NULL, NULL, 0);
     sph2d__body_rows_predict(s);
     put_far(&s->fluid, s->fluid.next_x, s->fluid.next_y);
 }
@@ -138,7 +138,7 @@ void sph2d__projection_end(sph2d__system *s)
 {
     const double share = 1 / (s->step * s->step);
     sph2d__over_rows(s, end_slab, NULL);
-    sph2d__over_fluid(s, press_slab, &share);
+    sph2d__over_fluid(s, press_slab, &share, NULL, 0);
     sph2d__body_rows_end(s);
 }
 
@@ -156,21 +156,21 @@ static void keep_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
 
 void sph2d__projection_keep(sph2d__system *s)
 {
-    sph2d__over_fluid(s, keep_slab, NULL);
+    sph2d__over_fluid(s, keep_slab, NULL, NULL, 0);
 }
 
 void sph2d__projection_press(sph2d__system *s)
 {
     const double share = 1 / (s->step * s->step);
     sph2d__projection_begin(s, 1);
-    sph2d__over_fluid(s, press_slab, &share);
+    sph2d__over_fluid(s, press_slab, &share, NULL, 0);
 }
 
 void sph2d__projection_average(sph2d__system *s)
 {
     if (s->fluid.capacity > 0) /* of the particle that shorter lists end with */
         s->fluid.acting_pressure[s->fluid.count] = 0;
-    sph2d__over_fluid(s, average_slab, NULL);
+    sph2d__over_fluid(s, average_slab, NULL, NULL, 0);
 }
 
 /* With the gradients as rounded as those that pushed. */

@@ -36,22 +36,16 @@ static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 /* In how many H/c0 density goes to its sum over the neighbours. */
 static const double RELAXATION_TIME = 100;
 
-/** Sums up theta^2/2 that relaxation adds. */
 static void sum_relaxed(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const double *part = with;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const double change = relaxed(s, i, *part);
-        sum->first += change * (s->fluid.log_density[i] + change / 2);
-    }
+    for (size_t i = slab->first; i < slab->last; ++i)
+        add_relaxed(s, i, with, sum);
 }
 
 static void relax_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const double *part = with;
-    sum_relaxed(s, slab, with, sum);
     for (size_t i = slab->first; i < slab->last; ++i)
-        s->fluid.log_density[i] += relaxed(s, i, *part);
+        relax_one(s, i, with, sum);
 }
 
 /** Energy dissipated so far [J/m]. */
@@ -68,10 +62,10 @@ static void relax(sph2d_sim *sim, double dt, double paid)
     sph2d__record *r = &sim->record;
     double part = fmin(dt * s->sound_speed / (RELAXATION_TIME * s->support), 1);
     const double stiffness = s->mass * s->sound_speed * s->sound_speed;
-    const double asked = stiffness * sph2d__over_fluid(s, sum_relaxed, &part).first;
+    const double asked = stiffness * sph2d__over_fluid(s, sum_relaxed, &part, "sum_relaxed_pass", sizeof part).first;
     if (asked > 0)
         part *= fmin(fmax(paid, 0) / asked, 1);
-    r->energy_diffused -= stiffness * sph2d__over_fluid(s, relax_slab, &part).first;
+    r->energy_diffused -= stiffness * sph2d__over_fluid(s, relax_slab, &part, "relax_pass", sizeof part).first;
 }
 
 /* ---- shifting ---------------------------------------------------------------------------------------------------- */
@@ -80,17 +74,14 @@ static void sum_lifted(sph2d__system *s, const sph2d__slab *slab, const void *wi
 {
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i)
-        sum->first += lifted(s, i) + stored_by_shift(s, i);
+        add_lifted(s, i, sum);
 }
 
 static void shorten_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const double *part = with;
     (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        s->frozen->shift_x[i] *= *part;
-        s->frozen->shift_y[i] *= *part;
-    }
+    for (size_t i = slab->first; i < slab->last; ++i)
+        shorten_one(s, i, with);
 }
 
 /** Shifts as far as what is left of the step's dissipation, `paid`, lifts the particles: in a full tank they would rise
@@ -99,23 +90,17 @@ static void pay_for_shift(sph2d__system *s, double paid)
 {
     if (!s->fills)
         return;
-    const double work = s->mass * sph2d__over_fluid(s, sum_lifted, NULL).first;
+    const double work = s->mass * sph2d__over_fluid(s, sum_lifted, NULL, "sum_lifted_pass", 0).first;
     const double part = fmax(paid, 0) / work;
     if (work > 0 && part < 1)
-        sph2d__over_fluid(s, shorten_slab, &part);
+        sph2d__over_fluid(s, shorten_slab, &part, "shorten_pass", sizeof part);
 }
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
-/** For how long rates act before diffusion, and after it. */
-typedef struct times {
-    double before, after;
-    bool rest; /* e is found, too */
-} times;
-
 static void rate_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const times *t = with;
+    const sweep_times *t = with;
     sph2d__wcsph_find(s->isa)->rate(s, slab->first, slab->last, t->before, t->after, t->rest, sum);
 }
 
@@ -125,9 +110,9 @@ static void force_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
     sph2d__wcsph_find(s->isa)->force(s, slab->first, slab->last, *once, sum);
 }
 
-static void swap(float **a, float **b)
+static void swap(SPH2D__ARRAY float **a, SPH2D__ARRAY float **b)
 {
-    float *c = *a;
+    SPH2D__ARRAY float *c = *a;
     *a = *b;
     *b = c;
 }
@@ -184,7 +169,8 @@ static void sound(sph2d_sim *sim, double dt)
     sph2d__images_of_velocity(s);
     sim->record.energy_fed += sph2d__frozen_store(s);
     const size_t middle = (steps + 1) / 2; /* when what acts once does */
-    sph2d__slab_sum rates = sph2d__over_fluid(s, rate_slab, &(times){0, half, middle == 1});
+    sph2d__slab_sum rates =
+        sph2d__over_fluid(s, rate_slab, &(sweep_times){0, half, middle == 1}, "rate_pass", sizeof(sweep_times));
     sph2d__images_of_pressure(s);
     if (middle == 1)
         sph2d__images_of_rest(s);
@@ -193,7 +179,7 @@ static void sound(sph2d_sim *sim, double dt)
     sim->record.energy_fed -= rates.fourth;
     for (size_t k = 1; k <= steps; ++k) {
         const double once = k == middle ? (double)steps : 0;
-        const sph2d__slab_sum work = sph2d__over_fluid(s, force_slab, &once);
+        const sph2d__slab_sum work = sph2d__over_fluid(s, force_slab, &once, "force_pass", sizeof once);
         sim->record.energy_pressed -= work.first;
         sim->record.energy_viscous -= work.second;
         sim->record.energy_fed -= work.third;
@@ -208,7 +194,8 @@ static void sound(sph2d_sim *sim, double dt)
         if (k < steps)
             impose(sim);
         sph2d__images_of_velocity(s);
-        rates = sph2d__over_fluid(s, rate_slab, &(times){half, k < steps ? half : 0, k + 1 == middle});
+        rates = sph2d__over_fluid(s, rate_slab, &(sweep_times){half, k < steps ? half : 0, k + 1 == middle},
+                                  "rate_pass", sizeof(sweep_times));
         sph2d__images_of_pressure(s);
         if (k + 1 == middle)
             sph2d__images_of_rest(s);

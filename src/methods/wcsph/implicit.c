@@ -103,7 +103,7 @@ static double loosen(sph2d_sim *sim)
     sph2d__images_of_pressure(s);
     sph2d__close_find(s);
     sph2d__images_of_rest(s);
-    const sph2d__slab_sum work = sph2d__over_fluid(s, loosen_slab, NULL);
+    const sph2d__slab_sum work = sph2d__over_fluid(s, loosen_slab, NULL, NULL, 0);
     sim->record.energy_pressed -= work.first;
     sim->record.energy_fed -= work.third;
     sim->record.energy_diffused -= work.fourth;
@@ -175,7 +175,7 @@ static double multiply(sph2d__system *s)
         sph2d__frozen_bodies_feed(s);
     }
     sph2d__images_of_velocity(s);
-    return sph2d__over_fluid(s, multiply_slab, NULL).first;
+    return sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0).first;
 }
 
 /** The pressures of a particle, as neighbours see them. */
@@ -262,7 +262,7 @@ static sph2d__slab_sum load(sph2d__system *s, bool again)
         sph2d__frozen_bodies_feed(s);
     sph2d__images_of_velocity(s);
     sph2d__over_particles(s, n, pass_of(s)->diverge, NULL);
-    return sph2d__over_fluid(s, load_slab, again ? &again : NULL);
+    return sph2d__over_fluid(s, load_slab, again ? &again : NULL, NULL, 0);
 }
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
@@ -328,20 +328,20 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
         sph2d__over_particles(s, s->fluid.count, keep_first, NULL);
         ++count;
         f.alpha = sum.second / first_curvature;
-        sum = sph2d__over_fluid(s, step_slab, &f);
+        sum = sph2d__over_fluid(s, step_slab, &f, NULL, 0);
         square = sum.first;
         f.gamma = sum.second / first_curvature;
     } else {
         sph2d__over_particles(s, s->fluid.count, keep_first, NULL);
     }
     while (square > wanted && count < s->method.max_iterations) {
-        sph2d__over_fluid(s, direct_slab, &f);
+        sph2d__over_fluid(s, direct_slab, &f, NULL, 0);
         const double curvature = multiply(s);
         ++count;
         if (!(curvature > 0))
             break;
         f.alpha = square / curvature;
-        sum = sph2d__over_fluid(s, step_slab, &f);
+        sum = sph2d__over_fluid(s, step_slab, &f, NULL, 0);
         f.beta = sum.first / square;
         f.gamma = first_curvature > 0 ? sum.second / first_curvature : 0;
         square = sum.first;
@@ -401,15 +401,15 @@ static void take_back_slab(sph2d__system *s, const sph2d__slab *slab, const void
  *      part cost = paid + part^2 damped */
 static void pay(sph2d__system *s, double paid)
 {
-    const sph2d__slab_sum of = sph2d__over_fluid(s, pay_slab, NULL);
+    const sph2d__slab_sum of = sph2d__over_fluid(s, pay_slab, NULL, NULL, 0);
     const double cost = of.first, damped = fmax(of.second, 0);
     paid = fmax(paid + of.third, 0);
     const bool enough = cost <= paid + damped,
-               draws = sph2d__close_pull(s) || sph2d__over_fluid(s, count_clinging, NULL).first > 0;
+               draws = sph2d__close_pull(s) || sph2d__over_fluid(s, count_clinging, NULL, NULL, 0).first > 0;
     if ((enough && !draws) || s->unconverged || s->iterations >= s->method.max_iterations)
         return;
     const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
-    sph2d__over_fluid(s, take_back_slab, &part);
+    sph2d__over_fluid(s, take_back_slab, &part, NULL, 0);
     sph2d__over_particles(s, s->fluid.count, keep_found, NULL);
     solve(s, load(s, true));
 }
@@ -474,7 +474,7 @@ static void finish(sph2d_sim *sim)
     sph2d__record *r = &sim->record;
     sph2d__over_particles(s, s->fluid.count, press_solved, NULL);
     transpose(s);
-    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL);
+    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL, NULL, 0);
     sph2d__images_of_velocity(s); /* where they are now */
     r->energy_pressed -= work.first;
     r->energy_viscous -= work.second;

@@ -109,20 +109,20 @@ void sph2d__thick_solve(sph2d__system *s, bool again)
         sph2d__over_particles(s, n, start, NULL);
     sph2d__over_particles(s, n, see_found, NULL);
     sph2d__images_of_velocity(s);
-    const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL);
+    const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL, NULL, 0);
     const double wanted = TOLERANCE * TOLERANCE * sum.second +
                           FLOOR * FLOOR * (double)n * s->method.max_compression * s->sound_speed * s->sound_speed;
     double left = sum.first;
     sph2d__over_particles(s, n, see_way, NULL);
     for (int k = 0; left > wanted && k < MOST; ++k) {
         sph2d__images_of_velocity(s);
-        const double bent = sph2d__over_fluid(s, multiply_slab, NULL).first;
+        const double bent = sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0).first;
         if (!(bent > 0))
             break;
         const double length = left / bent, before = left;
-        left = sph2d__over_fluid(s, go_slab, &length).first;
+        left = sph2d__over_fluid(s, go_slab, &length, NULL, 0).first;
         const double keep = left / before;
-        sph2d__over_fluid(s, turn_slab, &keep);
+        sph2d__over_fluid(s, turn_slab, &keep, NULL, 0);
     }
     sph2d__over_particles(s, n, see_found, NULL);
     sph2d__images_of_velocity(s);

@@ -2,6 +2,7 @@
 /** @file wcsph.c
  *  Method `wcsph`, variational operators: setup, what stands still over a step, wall forces. */
 #include "methods/wcsph/wcsph.h"
+#include "methods/wcsph/wcsph_walls.h"
 
 #include <math.h>
 #include <string.h>
@@ -112,54 +113,12 @@ static double elastic(const sph2d__system *s, size_t i, bool stepped)
     return s->sound_speed * s->sound_speed * s->fluid.log_density[i] * s->fluid.log_density[i] / 2 + s->fluid.stored[i];
 }
 
-/** By the means over the step, at the places of its middle. */
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)
 {
-    const sph2d__frozen *z = s->frozen;
-    if (!z->capacity) /* at the start */
-        return (sph2d__wall_force){0};
-    const double h2 = s->support * s->support;
-    const double weight =
-        z->part[b] * s->walls.mass[b] / s->rest_density * sph2d__kernel_constant(s->method.kernel) / (h2 * h2);
-    const double slope = weight * sph2d__kernel_slope_at(s->method.kernel, sqrt(dx * dx + dy * dy) / s->support);
-    volatile float gx = (float)(slope * dx), gy = (float)(slope * dy), rx = (float)dx, ry = (float)dy; /* as they act */
-    const double more = sph2d__thickness(s, i, b, rx, ry);
-    gx = (float)((double)gx + more * (double)gx);
-    gy = (float)((double)gy + more * (double)gy);
-    const double x = (double)gx, y = (double)gy;
-    const double ax = z->bxx[i] * x + z->bxy[i] * y, ay = z->bxy[i] * x + z->byy[i] * y;
-    const double pull = z->mean_ex[i] * dx + z->mean_ey[i] * dy;
-    const double nx = z->wall_xx[i] * ax + z->wall_xy[i] * ay, ny = z->wall_xy[i] * ax + z->wall_yy[i] * ay;
-    const double repel = z->mean_repelled[i] * sph2d__front_share(s, i, b, x, y, (double)rx, (double)ry);
-    sph2d_vec2 friction = sph2d__friction_of(s, b, dx, dy);
-    if (z->sticks) {
-        const sph2d__frozen_stick k = sph2d__frozen_stick_of(s, i, b, x, y, (double)rx, (double)ry);
-        const double mx = z->mean_vx[i], my = z->mean_vy[i];
-        friction.x += s->mass * (z->past * k.x - k.xx * mx - k.xy * my);
-        friction.y += s->mass * (z->past * k.y - k.xy * mx - k.yy * my);
-    }
-    return (sph2d__wall_force){.pressure = {pull * ax - z->mean_work[i] * nx + repel * z->front_nx[i],
-                                            pull * ay - z->mean_work[i] * ny + repel * z->front_ny[i]},
-                               .friction = friction};
-}
-
-/** Away from each side, by the means over the step. Forces along a side cancel in their sum. */
-static void side_push(const sph2d__system *s, size_t i, double push[4])
-{
-    const sph2d__frozen *z = s->frozen;
-    const sph2d__sides *d = &z->sides;
-    const double x = s->fluid.x[i], y = s->fluid.y[i];
-    push[0] = push[1] = push[2] = push[3] = 0;
-    if (!z->images.count)
-        return;
-    if (x - d->low_x < d->high_x - x)
-        push[0] = z->push_x[i];
-    else
-        push[1] = -z->push_x[i];
-    if (y - d->low_y < d->high_y - y)
-        push[2] = z->push_y[i];
-    else
-        push[3] = -z->push_y[i];
+    sph2d__wall_force force = mean_wall_force(s, i, b, dx, dy);
+    const sph2d_vec2 friction = sph2d__friction_of(s, b, dx, dy);
+    force.friction = (sph2d_vec2){force.friction.x + friction.x, force.friction.y + friction.y};
+    return force;
 }
 
 /* What both time schemes share. */
@@ -174,7 +133,7 @@ static void side_push(const sph2d__system *s, size_t i, double push[4])
                  SPH2D__BIT(start_x) | SPH2D__BIT(start_y) | SPH2D__BIT(mass) | SPH2D__BIT(bounce) |                   \
                  SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(depth) | SPH2D__BIT(skin) | SPH2D__BIT(drag), \
     .prepare = prepare, .set_sides = sph2d__wcsph_set_sides, .evaluate = evaluate, .elastic = elastic,                 \
-    .take_density = take_density, .walls_placed = walls_placed, .wall_force = wall_force, .side_push = side_push,      \
+    .take_density = take_density, .walls_placed = walls_placed, .wall_force = wall_force, .side_push = mean_side_push, \
     .books_all = true, .mean_forces = true, .couples_bodies = true
 
 const sph2d__method sph2d__wcsph = {

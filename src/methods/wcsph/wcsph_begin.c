@@ -17,21 +17,16 @@ void sph2d__frozen_begin(sph2d__system *s)
     sph2d__over_particles(s, s->fluid.count, start_some, "begin_pass");
 }
 
-/** Keeps the energy stored, and sums up by how much it is other than before [J/kg]: in a step, or since the last one, when
- *  particles are new or gravity is another. */
 static void store_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const double energy = stored_energy(s, i);
-        sum->first += energy - s->fluid.stored[i];
-        s->fluid.stored[i] = energy;
-    }
+    for (size_t i = slab->first; i < slab->last; ++i)
+        store_one(s, i, sum);
 }
 
 double sph2d__frozen_store(sph2d__system *s)
 {
-    return s->mass * sph2d__over_fluid(s, store_slab, NULL).first;
+    return s->mass * sph2d__over_fluid(s, store_slab, NULL, "store_pass", 0).first;
 }
 
 /* Before what acoustic steps add. */

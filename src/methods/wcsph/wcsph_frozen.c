@@ -308,10 +308,10 @@ bool sph2d__frozen_gather(sph2d__system *s)
         sph2d__images_start(s);
         s->frozen->thin = s->walls_press && s->frozen->sides.first > 0;
         if (s->frozen->thin) {
-            sph2d__over_fluid(s, see_slab, NULL);
+            sph2d__over_fluid(s, see_slab, NULL, "see_pass", 0);
             sph2d__images_of_sight(s);
         }
-        if (sph2d__over_fluid(s, gather_slab, NULL).most == 0)
+        if (sph2d__over_fluid(s, gather_slab, NULL, "gather_pass", 0).most == 0)
             break;
     }
     sph2d__images_of_slopes(s);

@@ -168,4 +168,46 @@ SPH2D__INLINE sph2d__way whole_way(const sph2d__system *s, double dt, size_t i)
     return way;
 }
 
+/* ---- sums -------------------------------------------------------------------------------------------------------- */
+
+/** Adds theta^2/2 that relaxation in a part of its way adds. */
+SPH2D__INLINE void add_relaxed(const sph2d__system *s, size_t i, const double *part, sph2d__slab_sum *sum)
+{
+    const double change = relaxed(s, i, *part);
+    sum->first += change * (s->fluid.log_density[i] + change / 2);
+}
+
+/** The same, and relaxes. */
+SPH2D__INLINE void relax_one(sph2d__system *s, size_t i, const double *part, sph2d__slab_sum *sum)
+{
+    add_relaxed(s, i, part, sum);
+    s->fluid.log_density[i] += relaxed(s, i, *part);
+}
+
+SPH2D__INLINE void add_lifted(const sph2d__system *s, size_t i, sph2d__slab_sum *sum)
+{
+    sum->first += lifted(s, i) + stored_by_shift(s, i);
+}
+
+SPH2D__INLINE void shorten_one(sph2d__system *s, size_t i, const double *part)
+{
+    s->frozen->shift_x[i] *= *part;
+    s->frozen->shift_y[i] *= *part;
+}
+
+/** Keeps the energy stored, and adds by how much it is other than before [J/kg]: in a step, or since the last one, when
+ *  particles are new or gravity is another. */
+SPH2D__INLINE void store_one(sph2d__system *s, size_t i, sph2d__slab_sum *sum)
+{
+    const double energy = stored_energy(s, i);
+    sum->first += energy - s->fluid.stored[i];
+    s->fluid.stored[i] = energy;
+}
+
+/** For how long rates act before diffusion, and after it [s]. */
+typedef struct sweep_times {
+    double before, after;
+    bool rest; /* e is found, too */
+} sweep_times;
+
 #endif
