@@ -348,7 +348,7 @@ $(BUILD)/gen/shaders.c: $(SHADERS) Makefile $(wildcard shaders) | $(BUILD)/gen/s
 	for f in $(SHADERS); do n=$$(basename $$f); echo "    {\"$$n\", $$(echo $$n | tr . _)},"; done; \
 	printf '    {NULL, NULL}};\nconst size_t sph2d__shader_source_count = $(words $(SHADERS));\n'; } >$@
 # A program is compiled where it runs; here the compiler puts its files together.
-cl_together = $(CC) -x c -E -P -undef -nostdinc -Dkernel=kernel_word -Isrc/device/clc -Isrc -Iinclude $(1)
+cl_together = $(CC) -x c -E -P -undef -nostdinc -Dkernel=kernel_word -Dhalf=half_word -Ddot=dot_word -Dclamp=clamp_word -Isrc/device/clc -Isrc -Iinclude $(1)
 $(BUILD)/gen/kernels.c: $(PROGRAMS) $(PROGRAM_PARTS) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h) src/particles/ranges.c \
     src/boundary/sweep.c Makefile
 	$(call say,GEN,$@)mkdir -p $(@D) && { printf '#include "device/kernels.h"\n\n'; \

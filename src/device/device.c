@@ -19,7 +19,7 @@ typedef struct block {
     uint64_t offset;
     unsigned owner;
     bool host_old, device_old; /* the other one has changed it */
-    bool listed;
+    unsigned list;             /* the last one that it was in */
 } block;
 
 typedef struct launcher {
@@ -35,12 +35,12 @@ struct sph2d__device {
     cl_program program;
     cl_mem arena, numbers, results;
     size_t arena_bytes, used, results_bytes;
-    block blocks[MOST_BLOCKS];   /* by a hash of the address */
-    bool grows;                  /* the list needs a larger arena */
+    block blocks[MOST_BLOCKS]; /* by a hash of the address */
+    bool grows;                /* the list needs a larger arena */
+    unsigned list;
     unsigned slot, numbers_slot; /* the last one sent, and that of what all kernels read now */
     unsigned char (*slots)
         [SLOT]; /* the host's copies, which the driver reads later; the last: what kernels read, as the host has it */
-    bool knows;
     unsigned char *host_results;
     size_t host_results_bytes;
     launcher launchers[MOST_KERNELS];
@@ -98,16 +98,16 @@ static sph2d_status find(sph2d__device *d, int number, bool same_bits, sph2d_rep
     return SPH2D_OK;
 }
 
-static sph2d_status build(sph2d__device *d, const char *program, sph2d_report *report)
+static sph2d_status build(sph2d__device *d, const char *program, int kind, sph2d_report *report)
 {
+    char options[OPTIONS];
+    snprintf(options, sizeof options, "-cl-std=CL1.2 -w -DKIND=%d%s", kind,
+             d->description.same_bits ? " -cl-fp32-correctly-rounded-divide-sqrt" : "");
     const char *text = sph2d__kernels_of(program);
     cl_int error = CL_SUCCESS;
     d->program = d->cl->clCreateProgramWithSource(d->context, 1, &text, NULL, &error);
     if (error == CL_SUCCESS)
-        error = d->cl->clBuildProgram(
-            d->program, 1, &d->id,
-            d->description.same_bits ? "-cl-std=CL1.2 -w -cl-fp32-correctly-rounded-divide-sqrt" : "-cl-std=CL1.2 -w",
-            NULL, NULL);
+        error = d->cl->clBuildProgram(d->program, 1, &d->id, options, NULL, NULL);
     if (error == CL_SUCCESS)
         return SPH2D_OK;
     char log[400] = "";
@@ -119,7 +119,7 @@ static sph2d_status build(sph2d__device *d, const char *program, sph2d_report *r
     return SPH2D_DEVICE;
 }
 
-static sph2d_status start(sph2d__device *d, const char *program, sph2d_report *report)
+static sph2d_status start(sph2d__device *d, const char *program, int kind, sph2d_report *report)
 {
     cl_int error = CL_SUCCESS;
     d->context = d->cl->clCreateContext(NULL, 1, &d->id, NULL, NULL, &error);
@@ -132,10 +132,10 @@ static sph2d_status start(sph2d__device *d, const char *program, sph2d_report *r
                          sph2d__opencl_error(error), (int)error);
         return SPH2D_DEVICE;
     }
-    return build(d, program, report);
+    return build(d, program, kind, report);
 }
 
-sph2d__device *sph2d__device_open(int number, const char *program, bool same_bits, sph2d__memory *memory,
+sph2d__device *sph2d__device_open(int number, const char *program, int kind, bool same_bits, sph2d__memory *memory,
                                   sph2d_status *status, sph2d_report *report)
 {
     sph2d__device *d = sph2d__alloc(memory, 1, sizeof *d);
@@ -147,7 +147,7 @@ sph2d__device *sph2d__device_open(int number, const char *program, bool same_bit
     if (d->slots)
         *status = find(d, number, same_bits, report);
     if (*status == SPH2D_OK)
-        *status = start(d, program, report);
+        *status = start(d, program, kind, report);
     if (*status == SPH2D_OK)
         return d;
     sph2d__device_close(d, memory);
@@ -213,7 +213,7 @@ static block *entry_of(sph2d__device *d, const void *host)
 uint64_t sph2d__device_offset_of(const sph2d__device *d, const void *host)
 {
     for (size_t k = 0; k < MOST_BLOCKS; ++k)
-        if (d->blocks[k].host == host && d->blocks[k].listed)
+        if (d->blocks[k].host == host)
             return d->blocks[k].offset;
     return 0;
 }
@@ -225,8 +225,7 @@ static size_t rounded(size_t bytes)
 
 void sph2d__device_list(sph2d__device *d)
 {
-    for (size_t k = 0; k < MOST_BLOCKS; ++k)
-        d->blocks[k].listed = false;
+    ++d->list;
 }
 
 uint64_t sph2d__device_place(sph2d__device *d, const void *host, size_t bytes, sph2d__owner owner)
@@ -243,7 +242,7 @@ uint64_t sph2d__device_place(sph2d__device *d, const void *host, size_t bytes, s
         d->used += rounded(bytes);
         d->grows = d->grows || d->used > d->arena_bytes;
     }
-    b->listed = true;
+    b->list = d->list;
     return b->offset;
 }
 
@@ -254,7 +253,7 @@ static void grow(sph2d__device *d)
     cl_int error = CL_SUCCESS;
     size_t bytes = LINE; /* offset 0 is no block */
     for (size_t k = 0; k < MOST_BLOCKS; ++k)
-        bytes += d->blocks[k].listed ? rounded(d->blocks[k].bytes) : 0;
+        bytes += d->blocks[k].host && d->blocks[k].list == d->list ? rounded(d->blocks[k].bytes) : 0;
     d->arena_bytes = bytes + bytes / 4;
     if ((double)d->arena_bytes > d->description.largest)
         d->arena_bytes = bytes;
@@ -269,7 +268,7 @@ static void grow(sph2d__device *d)
     memset(d->blocks, 0, sizeof d->blocks);
     d->used = LINE;
     for (size_t k = 0; k < MOST_BLOCKS; ++k) {
-        if (!kept[k].listed)
+        if (kept[k].host == NULL || kept[k].list != d->list)
             continue;
         block *b = entry_of(d, kept[k].host);
         *b = kept[k];
@@ -290,10 +289,8 @@ static void grow(sph2d__device *d)
 bool sph2d__device_moved(sph2d__device *d)
 {
     size_t known = 0;
-    for (size_t k = 0; k < MOST_BLOCKS; ++k) {
+    for (size_t k = 0; k < MOST_BLOCKS; ++k)
         known += d->blocks[k].host != NULL;
-        d->blocks[k].bytes = d->blocks[k].listed ? d->blocks[k].bytes : 0; /* one that comes to the same place is new */
-    }
     const bool moves = (d->grows || known > MOST_BLOCKS / 2) && d->error == CL_SUCCESS;
     if (moves)
         grow(d);
@@ -305,7 +302,7 @@ static void send_old(sph2d__device *d)
 {
     for (size_t k = 0; k < MOST_BLOCKS; ++k) {
         block *b = &d->blocks[k];
-        if (!b->listed || !b->device_old || d->error != CL_SUCCESS)
+        if (b->list != d->list || !b->device_old || d->error != CL_SUCCESS)
             continue;
         fail(d, d->cl->clEnqueueWriteBuffer(d->queue, d->arena, 1, b->offset, b->bytes, b->host, 0, NULL, NULL),
              "sending");
@@ -371,11 +368,11 @@ static unsigned send_numbers(sph2d__device *d, const void *numbers, size_t bytes
     return d->slot;
 }
 
-bool sph2d__device_knows(sph2d__device *d, const void *numbers, size_t bytes)
+bool sph2d__device_knows(sph2d__device *d, size_t at, const void *numbers, size_t bytes)
 {
-    const bool known = d->knows && memcmp(d->slots[SLOTS], numbers, bytes) == 0;
-    memcpy(d->slots[SLOTS], numbers, bytes);
-    d->knows = true;
+    unsigned char *noted = d->slots[SLOTS] + at;
+    const bool known = memcmp(noted, numbers, bytes) == 0;
+    memcpy(noted, numbers, bytes);
     return known;
 }
 

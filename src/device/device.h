@@ -31,24 +31,24 @@ typedef enum sph2d__owner {
 /** Particles that a group of threads works on together, whose sums are one: methods/common/slab.h. */
 enum { SPH2D__DEVICE_GROUP = 256 };
 
-/** Opens device `number`, from 1 on, with the kernels of a program (the name of a file *.cl without its end). `same_bits`: only if
+/** Opens device `number`, from 1 on, with the kernels of a program (the name of a file *.cl without its end), in which KIND is `kind`. `same_bits`: only if
  *  it makes the same bits. NULL with the reason in the report; SPH2D_NOMEM in *status when memory is short. */
-sph2d__device *sph2d__device_open(int number, const char *program, bool same_bits, sph2d__memory *memory,
+sph2d__device *sph2d__device_open(int number, const char *program, int kind, bool same_bits, sph2d__memory *memory,
                                   sph2d_status *status, sph2d_report *report);
 void sph2d__device_close(sph2d__device *device, sph2d__memory *memory);
 
 /** Why the device does no more work, and what it did when that happened; false: it works. */
 bool sph2d__device_failed(const sph2d__device *device, const char **why, const char **kernel);
 
-/** Begins a new list of blocks: those that are not placed again until the next launch are forgotten. */
+/** Begins a new list of blocks: when the buffer grows, those that are not placed again are forgotten. */
 void sph2d__device_list(sph2d__device *device);
 /** The offset of a block, which is new or in the list before, with room for it. */
 uint64_t sph2d__device_place(sph2d__device *device, const void *block, size_t bytes, sph2d__owner owner);
 /** Ends the list; true when the blocks have moved, so that their offsets have to be asked for once more. */
 bool sph2d__device_moved(sph2d__device *device);
 
-/** Whether these numbers are the ones that kernels read; notes them. */
-bool sph2d__device_knows(sph2d__device *device, const void *numbers, size_t bytes);
+/** Whether the host had the same numbers at the last call with this place; notes them. */
+bool sph2d__device_knows(sph2d__device *device, size_t at, const void *numbers, size_t bytes);
 /** The offset of a block that is placed; 0: there is none. */
 uint64_t sph2d__device_offset_of(const sph2d__device *device, const void *block);
 

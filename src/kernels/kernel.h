@@ -69,14 +69,14 @@ SPH2D__INLINE sph2d__lanes sph2d__kernel_slope(sph2d_kernel kind, sph2d__lanes q
 static inline double sph2d__kernel_value_at(sph2d_kernel kind, double q)
 {
     sph2d__lanes value = sph2d__kernel_value(kind, sph2d__lanes_all(q));
-    return value[0];
+    return SPH2D__LANE(value, 0);
 }
 
 /** g(q) of one distance. */
 static inline double sph2d__kernel_slope_at(sph2d_kernel kind, double q)
 {
     sph2d__lanes slope = sph2d__kernel_slope(kind, sph2d__lanes_all(q));
-    return slope[0];
+    return SPH2D__LANE(slope, 0);
 }
 
 #endif

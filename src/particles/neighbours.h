@@ -26,6 +26,8 @@
 enum { SPH2D__SLAB = 256 };
 /** Lanes of a device, the narrowest, and of the widest instruction set. */
 enum { SPH2D__NARROWEST = 1, SPH2D__WIDEST = 8 };
+/** From slot to slot on a device. */
+enum { SPH2D__DEVICE_STRIDE = 32 };
 
 /** The pairs of a slice. A slot has one pair of each of its particles. */
 typedef struct sph2d__slice {

@@ -4,11 +4,25 @@
 #include "scene/motion.h"
 #include "sph2d/device.h"
 
+static bool is_known(const sph2d_method_options *method)
+{
+    return method->name == SPH2D_METHOD_MULLER ||
+           (method->name == SPH2D_METHOD_WCSPH && method->operators != SPH2D_OPERATORS_FITTED);
+}
+
 static bool any_reflects(const sph2d_scene *scene)
 {
     bool any = scene->walls == SPH2D_WALL_REFLECT;
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         any = any || scene->obstacles[i].form == SPH2D_WALL_REFLECT;
+    return any;
+}
+
+static bool any_smooth(const sph2d_scene *scene)
+{
+    bool any = false;
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        any = any || scene->obstacles[i].slip == SPH2D_WALL_SLIP_SMOOTH;
     return any;
 }
 
@@ -24,14 +38,20 @@ const char *sph2d_device_refuses(const sph2d_scene *scene)
 {
     if (!scene)
         return "there is no scene";
-    if (scene->method.name != SPH2D_METHOD_MULLER)
-        return "devices know method muller alone";
+    if (!is_known(&scene->method))
+        return "devices know methods muller and wcsph alone";
     if (scene->body_count > 0)
         return "devices do not know bodies";
     if (any_moves(scene))
         return "devices do not know obstacles that move";
     if (any_reflects(scene))
         return "devices do not know walls that reflect";
+    if (scene->opening_count > 0)
+        return "devices do not know openings";
+    if (scene->fluid.model != SPH2D_RHEOLOGY_NEWTONIAN)
+        return "devices know liquids with a constant viscosity alone";
+    if (scene->wall_slip == SPH2D_SLIP_SMOOTH || any_smooth(scene))
+        return "devices do not know smooth walls";
     if (scene->fluid.surface_tension > 0)
         return "devices do not know surface tension";
     return NULL;

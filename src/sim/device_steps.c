@@ -57,7 +57,8 @@ sph2d_status sph2d__device_start(sph2d_sim *sim, int number, bool same_bits, sph
 {
     sph2d_status status = lend(sim);
     if (status == SPH2D_OK)
-        sim->system.device = sph2d__device_open(number, sim->method->name, same_bits, &sim->memory, &status, report);
+        sim->system.device = sph2d__device_open(number, sim->method->name, (int)sim->world.scene.method.kernel,
+                                                same_bits, &sim->memory, &status, report);
     return status == SPH2D_OK ? check_layout(sim, report) : status;
 }
 

@@ -1,102 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What all programs of devices have: their language, the system as a kernel sees it, the shapes of kernels, cells, advection,
- * sums and guards. A method's program (methods/NAME/NAME.cl) includes this, and defines its own kernels by these shapes.
- *
- * The build puts a program together from the same headers as the library, with those of src/device/clc in place of C's. */
-#pragma OPENCL EXTENSION cl_khr_fp64 : enable
-#pragma OPENCL FP_CONTRACT OFF
-
-#include "boundary/sweep.c"
-#include "particles/ranges.c"
-#include "sim/device_data.h"
-#include "sim/extremes.h"
-
-/* ---- arguments --------------------------------------------------------------------------------------------------- */
-
-/* The arena of all blocks, the numbers of all slots, where the system's and the kernel's own begin, how many threads have something to
- * do, where results go. */
-#define ARGUMENTS                                                                                                      \
-    __global uchar *arena, __global const uchar *numbers, const ulong system_at, const ulong own_at, const ulong count, \
-        __global uchar *results
-
-/* The block at an offset, which stands where the host has an address. */
-#define BLOCK(type, pointer) ((pointer) ? (__global type *)(arena + (ulong)(pointer)) : (__global type *)0)
-
-static inline void place_store(__global uchar *arena, sph2d__store *t)
-{
-#define PLACE(name) t->name = BLOCK(double, t->name);
-    SPH2D__STORE_REALS(PLACE)
-#undef PLACE
-    t->id = BLOCK(uint64_t, t->id);
-    t->color = BLOCK(uint64_t, t->color);
-    t->scratch = BLOCK(void, t->scratch);
-}
-
-static inline void place_cells(__global uchar *arena, sph2d__cells *c)
-{
-    c->start = BLOCK(uint32_t, c->start);
-    c->places = BLOCK(uint32_t, c->places);
-    c->cell = BLOCK(uint32_t, c->cell);
-    c->order = BLOCK(uint32_t, c->order);
-}
-
-/* The host's system, with addresses of the device. */
-static inline sph2d__system placed(__global uchar *arena, __global const uchar *at)
-{
-    sph2d__system s = *(__global const sph2d__system *)at;
-    place_store(arena, &s.fluid);
-    place_store(arena, &s.walls);
-    place_cells(arena, &s.fluid_cells);
-    place_cells(arena, &s.wall_cells);
-    s.tables = BLOCK(sph2d__tables, s.tables);
-    s.forces.points.items = BLOCK(const sph2d__point_force, s.forces.points.items);
-    return s;
-}
-
-/* ---- shapes of kernels ------------------------------------------------------------------------------------------- */
-
-/* A function of a span of particles. */
-#define SPAN(name, function)                                                                                           \
-    __kernel void name(ARGUMENTS)                                                                                      \
-    {                                                                                                                  \
-        const size_t i = get_global_id(0);                                                                             \
-        sph2d__system s = placed(arena, numbers + system_at);                                                          \
-        if (i < count)                                                                                                 \
-            function(&s, i, i + 1);                                                                                    \
-    }
-
-/* A function of one particle, with arguments of a type, that adds to the sums of its slab. They are added in the order of the
- * particles, as the host does it. */
-#define SUM(name, type, function)                                                                                      \
-    __kernel void name(ARGUMENTS)                                                                                      \
-    {                                                                                                                  \
-        __local sph2d__slab_sum parts[SPH2D__SLAB];                                                                    \
-        const size_t i = get_global_id(0);                                                                             \
-        sph2d__system s = placed(arena, numbers + system_at);                                                          \
-        const type with = *(__global const type *)(numbers + own_at);                                                  \
-        sph2d__slab_sum sum = {0};                                                                                     \
-        if (i < count)                                                                                                 \
-            function(&s, i, &with, &sum);                                                                              \
-        parts[get_local_id(0)] = sum;                                                                                  \
-        add_parts(parts, (size_t)get_group_id(0) * SPH2D__SLAB, count, results);                                       \
-    }
-
-static inline void add_parts(__local const sph2d__slab_sum *parts, size_t first, size_t count, __global uchar *results)
-{
-    enum { SUMS = sizeof(sph2d__slab_sum) / sizeof(double) - 1 };
-    const size_t l = get_local_id(0), some = count - first < SPH2D__SLAB ? count - first : SPH2D__SLAB;
-    __local const double *values = (__local const double *)parts;
-    double sum = 0;
-    barrier(CLK_LOCAL_MEM_FENCE);
-    if (l > SUMS)
-        return;
-    for (size_t k = 0; k < some; ++k) {
-        const double value = values[k * (SUMS + 1) + l];
-        sum = l < SUMS ? sum + value : value > sum ? value : sum;
-    }
-    ((__global double *)results)[get_group_id(0) * (SUMS + 1) + l] = sum;
-}
-
+/* The kernels that all programs have: cells, advection, sums and guards. */
 /* The sizes of what host and device hand each other, as the device has them. */
 __kernel void layout(ARGUMENTS)
 {
@@ -117,7 +20,7 @@ __kernel void bounds(ARGUMENTS)
 {
     __local sph2d__bounds_of parts[SPH2D__SLAB];
     const size_t i = get_global_id(0), l = get_local_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     sph2d__bounds_of part = sph2d__no_bounds();
     if (i < count)
         part = (sph2d__bounds_of){s.fluid.x[i], s.fluid.y[i], s.fluid.x[i], s.fluid.y[i]};
@@ -132,7 +35,7 @@ __kernel void bounds(ARGUMENTS)
 
 __kernel void empty_cells(ARGUMENTS)
 {
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     if (get_global_id(0) < count)
         s.fluid_cells.places[get_global_id(0)] = 0;
 }
@@ -140,7 +43,7 @@ __kernel void empty_cells(ARGUMENTS)
 __kernel void count_cells(ARGUMENTS)
 {
     const size_t i = get_global_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     if (i >= count)
         return;
     const uint32_t cell = sph2d__cell_of(&s.fluid_cells, s.fluid.x[i], s.fluid.y[i]);
@@ -152,7 +55,7 @@ __kernel void count_cells(ARGUMENTS)
 __kernel void scan_parts(ARGUMENTS)
 {
     const size_t k = get_global_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     const sph2d__cells *c = &s.fluid_cells;
     const size_t cells = (size_t)c->nx * c->ny, each = (cells + SPH2D__SCANNERS - 1) / SPH2D__SCANNERS;
     uint32_t sum = 0;
@@ -166,7 +69,7 @@ __kernel void scan_sums(ARGUMENTS)
 {
     __local uint32_t parts[SPH2D__SLAB];
     const size_t l = get_local_id(0), each = SPH2D__SCANNERS / SPH2D__SLAB;
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     const sph2d__cells *c = &s.fluid_cells;
     __global uint32_t *sums = c->places + (size_t)c->nx * c->ny + l * each;
     uint32_t sum = 0;
@@ -188,7 +91,7 @@ __kernel void scan_sums(ARGUMENTS)
 __kernel void scan_cells(ARGUMENTS)
 {
     const size_t k = get_global_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     const sph2d__cells *c = &s.fluid_cells;
     const size_t cells = (size_t)c->nx * c->ny, each = (cells + SPH2D__SCANNERS - 1) / SPH2D__SCANNERS;
     uint32_t sum = c->places[cells + k];
@@ -205,7 +108,7 @@ __kernel void scan_cells(ARGUMENTS)
 __kernel void fill_cells(ARGUMENTS)
 {
     const size_t i = get_global_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     if (i < count)
         ((__global uint32_t *)s.fluid.scratch)[atomic_inc(s.fluid_cells.places + s.fluid_cells.cell[i])] = (uint32_t)i;
 }
@@ -214,7 +117,7 @@ __kernel void fill_cells(ARGUMENTS)
 __kernel void order_cells(ARGUMENTS)
 {
     const size_t k = get_global_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     const sph2d__cells *c = &s.fluid_cells;
     if (k >= count)
         return;
@@ -230,7 +133,7 @@ __kernel void order_cells(ARGUMENTS)
 __kernel void reorder(ARGUMENTS)
 {
     const size_t k = get_global_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     const sph2d__reordered with = *(__global const sph2d__reordered *)(numbers + own_at);
     if (k < count)
         BLOCK(ulong, with.to)[k] = BLOCK(const ulong, with.from)[s.fluid_cells.order[k]];
@@ -307,7 +210,7 @@ static inline void add_events(__local sph2d__events *parts, __global uchar *resu
     {                                                                                                                  \
         __local sph2d__events parts[SPH2D__SLAB];                                                                      \
         const size_t i = get_global_id(0);                                                                             \
-        sph2d__system s = placed(arena, numbers + system_at);                                                          \
+        SYSTEM                                                                                                         \
         const sph2d__advection with = *(__global const sph2d__advection *)(numbers + own_at);                          \
         sph2d__events met = {0};                                                                                       \
         if (i < count) {                                                                                               \
@@ -359,7 +262,7 @@ __kernel void extremes(ARGUMENTS)
 {
     __local sph2d__extremes parts[SPH2D__SLAB];
     const size_t i = get_global_id(0), l = get_local_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     const sph2d__limits within = *(__global const sph2d__limits *)(numbers + own_at);
     sph2d__extremes part = sph2d__no_extremes();
     if (i < count)

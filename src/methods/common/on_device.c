@@ -12,66 +12,91 @@
 /* ---- the system as kernels get it -------------------------------------------------------------------------------- */
 
 /** An address in a struct, which becomes an offset. */
-static void place(sph2d__device *d, void *slot, size_t bytes, sph2d__owner owner)
+void sph2d__place_block(const sph2d__system *s, void *slot, size_t bytes, sph2d__owner owner)
 {
     void *block;
     memcpy(&block, slot, sizeof block);
-    const uint64_t offset = sph2d__device_place(d, block, bytes, owner);
+    const uint64_t offset = sph2d__device_place(s->device, block, bytes, owner);
     memcpy(slot, &offset, sizeof offset);
 }
 
 /* What kernels write of boundary particles. */
 #define WALL_SUMS (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume))
 
-static void place_store(sph2d__device *d, sph2d__store *t, sph2d__owner owner)
+void sph2d__place_store(const sph2d__system *s, sph2d__store *t, sph2d__owner owner)
 {
     const size_t bytes = t->capacity > 0 ? (t->capacity + SPH2D__PADDING) * sizeof(double) : 0;
 #define PLACE(name)                                                                                                    \
-    place(d, &t->name, t->has &SPH2D__BIT(name) ? bytes : 0,                                                           \
-          owner == SPH2D__OF_WALLS && SPH2D__BIT(name) & WALL_SUMS ? SPH2D__OF_WALL_SUMS : owner);
+    sph2d__place_block(s, &t->name, t->has &SPH2D__BIT(name) ? bytes : 0,                                              \
+                       owner == SPH2D__OF_WALLS && SPH2D__BIT(name) & WALL_SUMS ? SPH2D__OF_WALL_SUMS : owner);
     SPH2D__STORE_REALS(PLACE)
 #undef PLACE
-    place(d, &t->id, bytes, owner);
-    place(d, &t->color, t->colored ? bytes : 0, owner);
-    place(d, &t->scratch, bytes, owner);
+    sph2d__place_block(s, &t->id, bytes, owner);
+    sph2d__place_block(s, &t->color, t->colored ? bytes : 0, owner);
+    sph2d__place_block(s, &t->scratch, bytes, owner);
 }
 
-static void place_cells(sph2d__device *d, sph2d__cells *c, sph2d__owner owner)
+void sph2d__place_cells(const sph2d__system *s, sph2d__cells *c, sph2d__owner owner)
 {
-    place(d, &c->start, c->cell_capacity * sizeof(uint32_t), owner);
-    place(d, &c->places, c->place_capacity * sizeof(uint32_t), owner);
-    place(d, &c->cell, c->particle_capacity * sizeof(uint32_t), owner);
-    place(d, &c->order, c->particle_capacity * sizeof(uint32_t), owner);
+    sph2d__place_block(s, &c->start, c->cell_capacity * sizeof(uint32_t), owner);
+    sph2d__place_block(s, &c->places, c->place_capacity * sizeof(uint32_t), owner);
+    sph2d__place_block(s, &c->cell, c->particle_capacity * sizeof(uint32_t), owner);
+    sph2d__place_block(s, &c->order, c->particle_capacity * sizeof(uint32_t), owner);
 }
 
-static void place_all(sph2d__device *d, sph2d__system *copy)
+/** The system as kernels get it, and what the method has behind it. */
+typedef struct handed {
+    sph2d__system system;
+    unsigned char extra[SPH2D__MOST_EXTRA];
+} handed;
+
+static void place_all(const sph2d__system *s, handed *to)
 {
-    sph2d__device_list(d);
-    place_store(d, &copy->fluid, SPH2D__OF_FLUID);
-    place_store(d, &copy->walls, SPH2D__OF_WALLS);
-    place_cells(d, &copy->fluid_cells, SPH2D__OF_FLUID);
-    place_cells(d, &copy->wall_cells, SPH2D__OF_WALLS);
-    place(d, &copy->tables, sizeof *copy->tables, SPH2D__OF_SCENE);
-    place(d, &copy->forces.points.items, copy->points_room, SPH2D__OF_POINTS);
+    sph2d__system *copy = &to->system;
+    const sph2d__neighbours *n = &s->neighbours;
+    const size_t slabs = n->slices ? sph2d__slabs(n->particles) : 0;
+    *copy = *s;
+    sph2d__place_store(s, &copy->fluid, SPH2D__OF_FLUID);
+    sph2d__place_store(s, &copy->walls, SPH2D__OF_WALLS);
+    sph2d__place_cells(s, &copy->fluid_cells, SPH2D__OF_FLUID);
+    sph2d__place_cells(s, &copy->wall_cells, SPH2D__OF_WALLS);
+    sph2d__place_block(s, &copy->neighbours.slices, slabs * SPH2D__SLAB * sizeof *n->slices, SPH2D__OF_FLUID);
+    sph2d__place_block(s, &copy->neighbours.index, slabs * SPH2D__SLAB * n->each * sizeof *n->index, SPH2D__OF_FLUID);
+    sph2d__place_block(s, &copy->tables, sizeof *copy->tables, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &copy->wall_spin, 0, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &copy->viscosities, 0, SPH2D__OF_FLUID);
+    sph2d__place_block(s, &copy->wall_slips, s->walls.count, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &copy->forces.points.items, copy->points_room, SPH2D__OF_POINTS);
     for (size_t k = 0; k < copy->lent_count; ++k)
-        sph2d__device_place(d, copy->lent[k].block, copy->lent[k].bytes, SPH2D__OF_SCENE);
+        sph2d__device_place(s->device, copy->lent[k].block, copy->lent[k].bytes, SPH2D__OF_SCENE);
+    if (s->extra)
+        s->extra->place(s, to->extra);
 }
 
 /** The part of the system that kernels read. */
 enum { READ = offsetof(sph2d__system, profile) };
 
+/** Whether the device has what kernels read of a system, and its method's extra. */
+static bool knows(const sph2d__system *s)
+{
+    const bool system = sph2d__device_knows(s->device, 0, s, READ);
+    return (!s->extra || sph2d__device_knows(s->device, sizeof(sph2d__system), s->extra->data(s), s->extra->bytes)) &&
+           system;
+}
+
 /** Sends the system if it is not as the device knows it. */
 static void bind(const sph2d__system *s)
 {
-    if (sph2d__device_knows(s->device, s, READ))
+    handed to;
+    if (knows(s))
         return;
-    sph2d__system copy = *s;
-    place_all(s->device, &copy);
-    if (sph2d__device_moved(s->device)) {
-        copy = *s;
-        place_all(s->device, &copy);
-    }
-    sph2d__device_numbers(s->device, &copy, sizeof copy);
+    sph2d__device_list(s->device);
+    if (s->whole)
+        place_all(s->whole, &to);
+    place_all(s, &to);
+    if (sph2d__device_moved(s->device))
+        place_all(s, &to);
+    sph2d__device_numbers(s->device, &to, offsetof(handed, extra) + (s->extra ? s->extra->bytes : 0));
 }
 
 /* ---- kernels ----------------------------------------------------------------------------------------------------- */
@@ -176,4 +201,19 @@ void sph2d__host_changed_walls(const sph2d__system *s)
 {
     if (sph2d__is_on_device(s))
         sph2d__device_changed(s->device, SPH2D__OF_WALLS);
+}
+
+void sph2d__host_changed_block(const sph2d__system *s, void *block)
+{
+    sph2d__device_changed_one(s->device, block);
+}
+
+bool sph2d__fluid_reserve(sph2d__system *s, size_t capacity)
+{
+    if (capacity <= s->fluid.capacity)
+        return true;
+    sph2d__host_reads(s, SPH2D__EVERYTHING);
+    const bool reserved = sph2d__store_reserve(&s->fluid, s->memory, capacity);
+    sph2d__host_changed(s, SPH2D__EVERYTHING);
+    return reserved;
 }

@@ -8,7 +8,21 @@
 #ifndef SPH2D_METHODS_COMMON_ON_DEVICE_H
 #define SPH2D_METHODS_COMMON_ON_DEVICE_H
 
+#include "device/device.h"
 #include "methods/common/slab.h"
+
+/** What a method hands its kernels behind the system: a struct whose addresses `place` turns into offsets, in a copy. */
+enum { SPH2D__MOST_EXTRA = 8192 };
+struct sph2d__extra {
+    size_t bytes;
+    const void *(*data)(const sph2d__system *system);
+    void (*place)(const sph2d__system *system, void *copy);
+};
+
+/** Turns an address in a copy of a struct into the offset of a block. */
+void sph2d__place_block(const sph2d__system *system, void *slot, size_t bytes, sph2d__owner owner);
+void sph2d__place_store(const sph2d__system *system, sph2d__store *copy, sph2d__owner owner);
+void sph2d__place_cells(const sph2d__system *system, sph2d__cells *copy, sph2d__owner owner);
 
 /** Runs a kernel on particles 0 to count - 1. */
 void sph2d__device_span(const sph2d__system *system, const char *kernel, size_t count);
@@ -56,6 +70,10 @@ static inline void sph2d__host_reads_walls(const sph2d__system *s)
 
 /** After the host has changed arrays of the fluid, which it has read before. */
 void sph2d__host_changed(const sph2d__system *system, sph2d__set arrays);
+/** After it has changed a block, all of it. */
+void sph2d__host_changed_block(const sph2d__system *system, void *block);
+/** Makes room for at least `capacity` particles of the fluid, wherever they are. False when memory is short. */
+bool sph2d__fluid_reserve(sph2d__system *system, size_t capacity);
 /** After it has changed the points that attract. */
 void sph2d__host_changed_points(const sph2d__system *system);
 /** After it has changed boundary particles. */

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The program of method `muller`. */
+#include "sim/shapes.cl"
+#define SYSTEM sph2d__system s = placed(arena, numbers + system_at);
 #include "sim/kernels.cl"
 
 #include "methods/common/state_equation.h"
@@ -35,7 +37,7 @@ SPH2D__FORCE_OF_WALL(force_of_wall, int, none, wall_force)
 __kernel void wall_forces(ARGUMENTS)
 {
     const size_t b = get_global_id(0);
-    sph2d__system s = placed(arena, numbers + system_at);
+    SYSTEM
     const ulong to = *(__global const ulong *)(numbers + own_at);
     if (b < count)
         BLOCK(sph2d__wall_force, to)[b] = force_of_wall(&s, 0, b);

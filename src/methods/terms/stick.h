@@ -15,7 +15,7 @@
 
 /* The least distance of liquid from a wall, over the spacing, and the gain of a boundary particle that lies behind no
  * single surface, in a corner: that of one as far behind it as the liquid is before it. */
-static const double SPH2D__NEAREST = 0.25, SPH2D__IN_CORNERS = 2;
+SPH2D__FIXED double SPH2D__NEAREST = 0.25, SPH2D__IN_CORNERS = 2;
 
 /** d_i: how far a fluid particle at (dx, dy) from b is before the surface in front of b [m]. */
 static inline double sph2d__before(const sph2d__system *s, size_t b, double dx, double dy)

@@ -110,7 +110,7 @@ static bool evaluate(sph2d__system *s)
 static double elastic(const sph2d__system *s, size_t i, bool stepped)
 {
     (void)stepped;
-    return s->sound_speed * s->sound_speed * s->fluid.log_density[i] * s->fluid.log_density[i] / 2 + s->fluid.stored[i];
+    return elastic_of(s, i);
 }
 
 static sph2d__wall_force wall_force(const sph2d__system *s, size_t i, size_t b, double dx, double dy)

@@ -188,9 +188,6 @@ void sph2d__frozen_free(sph2d__system *system);
 bool sph2d__frozen_rub(sph2d__system *system);
 
 /** What boundary particle b adds to K and k over m of particle i, with the gradient and the distance of their pair. */
-typedef struct sph2d__frozen_stick {
-    double xx, xy, yy, x, y;
-} sph2d__frozen_stick;
 sph2d__frozen_stick sph2d__frozen_stick_of(const sph2d__system *system, size_t i, size_t b, double gx, double gy,
                                            double rx, double ry);
 

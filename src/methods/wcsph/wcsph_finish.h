@@ -165,8 +165,9 @@ SPH2D__INLINE void keep(SPH2D__ARRAY double *xx, SPH2D__ARRAY double *xy, SPH2D_
     X(push_x)                                                                                                          \
     X(push_y)                                                                                                          \
     X(mean_repelled)                                                                                                   \
-    X(wall_xx) X(wall_xy) X(wall_yy) X(sx) X(sy) X(wall_rate) X(wall_zx) X(wall_zy) X(wall_linear) X(mean_work)        \
-        X(mean_ex) X(mean_ey)
+    X(wall_xx)                                                                                                         \
+    X(wall_xy)                                                                                                         \
+    X(wall_yy) X(sx) X(sy) X(wall_rate) X(wall_zx) X(wall_zy) X(wall_linear) X(mean_work) X(mean_ex) X(mean_ey)
 
 /** It is none. */
 SPH2D__INLINE void clear(sph2d__frozen *z, size_t first)

@@ -135,6 +135,18 @@ static bool is_implicit(const sph2d__system *s)
 
 /* ---- room -------------------------------------------------------------------------------------------------------- */
 
+/** New arrays are zeros: what has not been set yet is read, times 0. */
+static void tell_device(const sph2d__system *s)
+{
+    const sph2d__frozen *z = s->frozen;
+    if (!sph2d__is_on_device(s))
+        return;
+#define TELL(name) sph2d__host_changed_block(s, z->name);
+    SPH2D__FROZEN_ARRAYS(TELL)
+    SPH2D__FROZEN_RECORDS(TELL)
+#undef TELL
+}
+
 /** Makes room for the neighbour lists' pairs and slices, and the particles of the store. */
 static bool reserve(sph2d__system *s)
 {
@@ -147,6 +159,7 @@ static bool reserve(sph2d__system *s)
         if (!sph2d__grow_all(s->memory, blocks, ARRAYS, z->capacity, particles))
             return false;
         z->capacity = particles;
+        tell_device(s);
     }
     if (pairs > z->pairs) {
         if (!sph2d__grow_all(s->memory, blocks + ARRAYS, PAIRS, z->pairs, pairs))
@@ -181,6 +194,40 @@ static bool reserve_walls(sph2d__system *s)
     return true;
 }
 
+/** Hands it to kernels of a device. */
+static void place_frozen(const sph2d__system *s, void *copy)
+{
+    const sph2d__frozen *z = s->frozen;
+    sph2d__frozen to = *z;
+#define PLACE(name) sph2d__place_block(s, &to.name, z->capacity * sizeof *z->name, SPH2D__OF_FLUID);
+    SPH2D__FROZEN_ARRAYS(PLACE)
+#undef PLACE
+#define PLACE(name) sph2d__place_block(s, &to.name, z->capacity * 4 * sizeof *z->name, SPH2D__OF_FLUID);
+    SPH2D__FROZEN_RECORDS(PLACE)
+#undef PLACE
+#define PLACE(name) sph2d__place_block(s, &to.name, z->pairs * sizeof *z->name, SPH2D__OF_FLUID);
+    SPH2D__FROZEN_PAIRS(PLACE)
+#undef PLACE
+    sph2d__place_block(s, &to.flags, z->slices * sizeof *z->flags, SPH2D__OF_FLUID);
+    sph2d__place_block(s, &to.close, z->slices * sizeof *z->close, SPH2D__OF_FLUID);
+    sph2d__place_block(s, &to.imaged, z->slices * sizeof *z->imaged, SPH2D__OF_FLUID);
+    sph2d__place_block(s, &to.part, z->walls * sizeof *z->part, SPH2D__OF_WALLS);
+    sph2d__place_block(s, &to.image_starts, z->image_slabs * sizeof *z->image_starts, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &to.left, (SPH2D__FREE_PARTS + 1) * sizeof *z->left, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &to.beyond, (SPH2D__PLANE_PARTS + 1) * sizeof *z->beyond, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &to.lift, (SPH2D__PLANE_PARTS + 1) * sizeof *z->lift, SPH2D__OF_SCENE);
+    sph2d__place_store(s, &to.images, SPH2D__OF_FLUID);
+    sph2d__place_cells(s, &to.image_cells, SPH2D__OF_FLUID);
+    memcpy(copy, &to, sizeof to);
+}
+
+static const void *frozen_of(const sph2d__system *s)
+{
+    return s->frozen;
+}
+
+static const struct sph2d__extra frozen_extra = {sizeof(sph2d__frozen), frozen_of, place_frozen};
+
 /* Entries of s, of what is beyond a plane, and of its integral. */
 enum { TABLES = SPH2D__FREE_PARTS + 1 + 2 * (SPH2D__PLANE_PARTS + 1) };
 
@@ -194,6 +241,7 @@ bool sph2d__frozen_start(sph2d__system *s, const sph2d__sides *sides)
         sph2d__frozen_free(s);
         return false;
     }
+    s->extra = &frozen_extra;
     s->frozen->beyond = s->frozen->left + SPH2D__FREE_PARTS + 1;
     s->frozen->lift = s->frozen->beyond + SPH2D__PLANE_PARTS + 1;
     s->frozen->sides = *sides;
@@ -218,6 +266,8 @@ void sph2d__frozen_free(sph2d__system *s)
                        blocks[k].size);
     sph2d__frozen_bodies_free(s);
     sph2d__close_free(s);
+    void *starts = z->image_starts;
+    sph2d__release(s->memory, &starts, z->image_slabs, sizeof *z->image_starts);
     void *of_walls = z->part, *tables = z->left, *all = z;
     sph2d__release(s->memory, &tables, tables ? TABLES : 0, sizeof(double));
     sph2d__release(s->memory, &of_walls, z->walls, sizeof *z->part);
@@ -301,9 +351,11 @@ bool sph2d__frozen_gather(sph2d__system *s)
     for (;; each = 2 * s->neighbours.each) {
         if (!sph2d__neighbours_reserve(&s->neighbours, s->memory, s->fluid.count, each, false) || !reserve(s))
             return false;
-        s->neighbours.lanes = s->neighbours.stride = pass->lanes;
+        s->neighbours.lanes = sph2d__is_on_device(s) ? SPH2D__NARROWEST : pass->lanes;
+        s->neighbours.stride = sph2d__is_on_device(s) ? SPH2D__DEVICE_STRIDE : pass->lanes;
         s->frozen->apart = SPH2D__CLOSE * s->spacing + fmin(MARGIN * s->speed * s->step, MOST_APART * s->spacing);
-        end_rows(s);
+        if (!sph2d__is_on_device(s)) /* its lists have no ends that stand for nothing */
+            end_rows(s);
         sph2d__over_particles(s, s->fluid.count, keep_state, "keep_state_pass");
         sph2d__images_start(s);
         s->frozen->thin = s->walls_press && s->frozen->sides.first > 0;

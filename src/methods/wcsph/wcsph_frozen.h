@@ -131,8 +131,10 @@ typedef struct sph2d__frozen {
     sph2d__sides sides;
     sph2d__store images; /**< of the liquid in the sides; id: IMAGE_SIDES times the particle, and the sides */
     sph2d__cells image_cells;
-    size_t first_image;            /**< where images stand behind the particles in all arrays */
-    SPH2D__ARRAY uint32_t *imaged; /**< of each slice: slots of pairs with images, the last of the fluid's */
+    SPH2D__ARRAY uint32_t *image_starts; /**< on a device: of each slab of particles, its first image ... */
+    size_t image_slabs;                  /**< ... for so many */
+    size_t first_image;                  /**< where images stand behind the particles in all arrays */
+    SPH2D__ARRAY uint32_t *imaged;       /**< of each slice: slots of pairs with images, the last of the fluid's */
 #define SPH2D__FROZEN_MEMBER(name) SPH2D__ARRAY double *name;
     SPH2D__FROZEN_ARRAYS(SPH2D__FROZEN_MEMBER)
     SPH2D__IMPLICIT_ARRAYS(SPH2D__FROZEN_MEMBER)
@@ -181,6 +183,11 @@ SPH2D__FIXED double SPH2D__DAMPING = 0.1;
 SPH2D__FIXED double SPH2D__LEAST = 0.5;
 /* Rate at which what is not linear in velocities fades, over c0/dx. */
 SPH2D__FIXED double SPH2D__SMOOTHING = 0.1;
+
+/** What boundary particle b adds to K and k over m of particle i, with the gradient and the distance of their pair. */
+typedef struct sph2d__frozen_stick {
+    double xx, xy, yy, x, y;
+} sph2d__frozen_stick;
 
 /** Of a slice: one of its particles has walls' pressures by a gradient, or a neighbour that has. */
 enum { SPH2D__FROZEN_WALLED = 1, SPH2D__FROZEN_BESIDE = 2 };

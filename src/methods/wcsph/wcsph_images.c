@@ -9,6 +9,7 @@
 #include "methods/common/on_device.h"
 #include "methods/wcsph/wcsph.h"
 #include "methods/wcsph/wcsph_mirror.h"
+#include "sim/device_steps.h"
 
 /* ---- sides ------------------------------------------------------------------------------------------------------- */
 
@@ -57,30 +58,75 @@ void sph2d__wall_parts_find(sph2d__system *s)
 
 /* ---- images ------------------------------------------------------------------------------------------------------ */
 
+/** Lists them, particle by particle. */
+static bool list_images(sph2d__system *s)
+{
+    sph2d__store *f = &s->fluid, *t = &s->frozen->images;
+    t->count = 0;
+    for (size_t i = 0; i < f->count; ++i) {
+        int in[MOST_IMAGES];
+        const int count = images_of(s, i, in);
+        if (count > 0 && t->count + MOST_IMAGES > t->capacity && !sph2d__store_reserve(t, s->memory, 2 * t->count + 64))
+            return false;
+        for (int k = 0; k < count; ++k) {
+            const sph2d_vec2 at = mirrored(&s->frozen->sides, in[k], (sph2d_vec2){f->x[i], f->y[i]});
+            sph2d__store_add(t, i * IMAGE_SIDES + (size_t)in[k], at.x, at.y);
+        }
+    }
+    return true;
+}
+
+/** The same by a device: how many each slab has, where those of each begin, and then where they are. */
+static bool list_on_device(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    sph2d__store *t = &z->images;
+    const size_t slabs = sph2d__slabs(s->fluid.count);
+    const uint32_t *counts = sph2d__device_read_by(s, "count_images", NULL, 0, sizeof *counts);
+    const sph2d__growth block = {&z->image_starts, sizeof *z->image_starts};
+    if (!counts || (slabs > z->image_slabs && !sph2d__grow_all(s->memory, &block, 1, z->image_slabs, slabs)))
+        return false;
+    z->image_slabs = slabs > z->image_slabs ? slabs : z->image_slabs;
+    t->count = 0;
+    for (size_t k = 0; k < slabs; ++k) {
+        z->image_starts[k] = (uint32_t)t->count;
+        t->count += counts[k];
+    }
+    if (t->count > t->capacity && !sph2d__store_reserve(t, s->memory, t->count + t->count / 2))
+        return false;
+    sph2d__host_changed_block(s, z->image_starts);
+    if (t->count > 0)
+        sph2d__device_span(s, "list_images", s->fluid.count);
+    return true;
+}
+
+/** Sorts them into their cells. */
+static bool sort_images(sph2d__system *s)
+{
+    sph2d__frozen *z = s->frozen;
+    z->image_cells.period = s->fluid_cells.period;
+    z->image_cells.columns = s->fluid_cells.columns;
+    if (!sph2d__is_on_device(s))
+        return sph2d__cells_build(&z->image_cells, &z->images, s->reach, s->memory);
+    sph2d__system view = *s;
+    view.whole = s;
+    view.fluid = z->images;
+    view.fluid_cells = z->image_cells;
+    const bool sorted = sph2d__device_sort(&view);
+    z->images = view.fluid;
+    z->image_cells = view.fluid_cells;
+    return sorted;
+}
+
 bool sph2d__images_place(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *f = &s->fluid, *t = &z->images;
     t->has = t->carried = SPH2D__STORE_BASIC;
-    t->count = 0;
-    for (size_t i = 0; i < f->count; ++i) {
-        const int near = sides_near(s, f->x[i], f->y[i]);
-        if (near == 0)
-            continue;
-        if (t->count + 8 > t->capacity && !sph2d__store_reserve(t, s->memory, 2 * t->count + 64))
-            return false;
-        for (int x = 0; x <= HIGH_X; ++x)
-            for (int y = 0; y <= HIGH_Y; y += LOW_Y)
-                if ((x | y) != 0 && (near & (x | y)) == (x | y)) {
-                    const sph2d_vec2 at = mirrored(&z->sides, x | y, (sph2d_vec2){f->x[i], f->y[i]});
-                    sph2d__store_add(t, i * IMAGE_SIDES + (size_t)(x | y), at.x, at.y);
-                }
-    }
-    z->image_cells.period = s->fluid_cells.period;
-    z->image_cells.columns = s->fluid_cells.columns;
+    if (!(sph2d__is_on_device(s) ? list_on_device(s) : list_images(s)))
+        return false;
     z->first_image = f->count + 2 * SPH2D__WIDEST;
-    return t->count == 0 || (sph2d__cells_build(&z->image_cells, t, s->reach, s->memory) &&
-                             sph2d__store_reserve(f, s->memory, z->first_image + t->count + SPH2D__WIDEST));
+    return t->count == 0 || (sort_images(s) && sph2d__fluid_reserve(s, z->first_image + t->count + SPH2D__WIDEST));
 }
 
 size_t sph2d__image_of(const sph2d__frozen *frozen, size_t k)
@@ -97,7 +143,7 @@ void sph2d__images_start(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
     sph2d__store *f = &s->fluid;
-    sph2d__over_particles(s, f->count, turn, "turn_pass");
+    sph2d__over_particles(s, f->count, turn_some, "turn_pass");
     sph2d__over_particles(s, z->images.count, start_of, "start_of_images");
     if (sph2d__is_on_device(s)) /* its lists have no ends that stand for nothing */
         return;

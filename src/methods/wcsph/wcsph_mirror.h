@@ -64,7 +64,7 @@ SPH2D__INLINE double by_distance(const sph2d__system *s, SPH2D__ARRAY const doub
 }
 
 /** Sets w. */
-SPH2D__INLINE void turn(sph2d__system *s, size_t first, size_t last)
+SPH2D__INLINE void turn_some(sph2d__system *s, size_t first, size_t last)
 {
     sph2d__frozen *z = s->frozen;
     const sph2d__sides *d = &z->sides;
@@ -161,6 +161,21 @@ SPH2D__INLINE void rest_of(sph2d__system *s, size_t first, size_t last)
         const image m = image_at(z, k);
         copy_record(z->rest, z->first_image + k, m.of, m.x, m.y, m.x, m.y);
     }
+}
+
+/* The most images of a particle. */
+enum { MOST_IMAGES = 8 };
+
+/** The images of particle i: which sides they are in, in the order in which they are listed. Returns how many. */
+SPH2D__INLINE int images_of(const sph2d__system *s, size_t i, int in[MOST_IMAGES])
+{
+    const int near = sides_near(s, s->fluid.x[i], s->fluid.y[i]);
+    int count = 0;
+    for (int x = 0; x <= HIGH_X; ++x)
+        for (int y = 0; y <= HIGH_Y; y += LOW_Y)
+            if ((x | y) != 0 && (near & (x | y)) == (x | y))
+                in[count++] = x | y;
+    return count;
 }
 
 #endif

@@ -58,4 +58,10 @@ SPH2D__INLINE void mean_side_push(const sph2d__system *s, size_t i, double push[
         push[3] = -z->push_y[i];
 }
 
+/** Elastic energy of particle i [J/kg]. */
+SPH2D__INLINE double elastic_of(const sph2d__system *s, size_t i)
+{
+    return s->sound_speed * s->sound_speed * s->fluid.log_density[i] * s->fluid.log_density[i] / 2 + s->fluid.stored[i];
+}
+
 #endif

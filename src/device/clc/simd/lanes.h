@@ -4,6 +4,8 @@
 #ifndef SPH2D_SIMD_LANES_H
 #define SPH2D_SIMD_LANES_H
 
+#include <stdint.h>
+
 #include "base/address.h"
 
 #define SPH2D__INLINE static inline __attribute__((always_inline))
@@ -40,6 +42,43 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_load(__global const double *from)
 SPH2D__INLINE void sph2d__lanes_store(__global double *to, sph2d__lanes a)
 {
     *to = a;
+}
+
+/* From a slot of a neighbour list to the next: threads that run together read side by side. */
+#define SPH2D__STRIDE SPH2D__DEVICE_STRIDE
+
+typedef struct sph2d__four {
+    sph2d__lanes a, b, c, d;
+} sph2d__four;
+
+SPH2D__INLINE unsigned sph2d__lanes_which(sph2d__lanes a, double limit)
+{
+    return a < limit;
+}
+SPH2D__INLINE sph2d__lanes sph2d__lanes_gather(__global const double *from, __global const uint32_t *index)
+{
+    return from[*index];
+}
+SPH2D__INLINE sph2d__lanes sph2d__floats_load(__global const float *from)
+{
+    return (double)*from;
+}
+SPH2D__INLINE void sph2d__floats_store(__global float *to, sph2d__lanes a)
+{
+    *to = (float)a;
+}
+SPH2D__INLINE sph2d__four sph2d__four_load(__global const float *from)
+{
+    const float4 row = vload4(0, from);
+    return (sph2d__four){(double)row.x, (double)row.y, (double)row.z, (double)row.w};
+}
+SPH2D__INLINE sph2d__four sph2d__four_gather(__global const float *from, __global const uint32_t *index)
+{
+    return sph2d__four_load(from + 4 * (size_t)*index);
+}
+SPH2D__INLINE void sph2d__four_store(__global float *to, sph2d__four v)
+{
+    vstore4((float4)((float)v.a, (float)v.b, (float)v.c, (float)v.d), 0, to);
 }
 
 #endif
