@@ -10,6 +10,9 @@
 /** A constant outside functions. */
 #define SPH2D__FIXED static const
 
+/** Before a function of another file, which a device has inlined. */
+#define SPH2D__LINKED
+
 /** A function that is not inlined, and may be unused. */
 #define SPH2D__OUTLINE static __attribute__((noinline, unused))
 

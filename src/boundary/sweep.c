@@ -87,7 +87,7 @@ static bool find_first_hit(const sph2d__barrier *b, sph2d_vec2 from, sph2d_vec2 
     return found;
 }
 
-bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 to)
+SPH2D__LINKED bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 to)
 {
     if (barrier->count == 0)
         return false;
@@ -106,8 +106,8 @@ static void note(sph2d__stops *stops, int wall, sph2d_vec2 before, sph2d_vec2 af
     stops->items[stops->count++].change = (sph2d_vec2){after.x - before.x, after.y - before.y};
 }
 
-int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v,
-                           sph2d__stops *stops)
+SPH2D__LINKED int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v,
+                                         sph2d__stops *stops)
 {
     int hits = 0;
     if (stops)

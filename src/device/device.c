@@ -16,7 +16,7 @@ enum { MOST_BLOCKS = 1024, MOST_KERNELS = 96, LINE = 64, SLOTS = 64, SLOT = 3276
 typedef struct block {
     void *host;
     size_t bytes;
-    uint64_t offset;
+    uint64_t offset, spare; /* spare: 0 until it is asked for */
     unsigned owner;
     bool host_old, device_old; /* the other one has changed it */
     unsigned list;             /* the last one that it was in */
@@ -38,6 +38,7 @@ struct sph2d__device {
     block blocks[MOST_BLOCKS]; /* by a hash of the address */
     bool grows;                /* the list needs a larger arena */
     unsigned list;
+    bool stale;                  /* the numbers that kernels have name places of before */
     unsigned slot, numbers_slot; /* the last one sent, and that of what all kernels read now */
     unsigned char (*slots)
         [SLOT]; /* the host's copies, which the driver reads later; the last: what kernels read, as the host has it */
@@ -253,7 +254,8 @@ static void grow(sph2d__device *d)
     cl_int error = CL_SUCCESS;
     size_t bytes = LINE; /* offset 0 is no block */
     for (size_t k = 0; k < MOST_BLOCKS; ++k)
-        bytes += d->blocks[k].host && d->blocks[k].list == d->list ? rounded(d->blocks[k].bytes) : 0;
+        if (d->blocks[k].host && d->blocks[k].list == d->list)
+            bytes += rounded(d->blocks[k].bytes) * (d->blocks[k].spare ? 2 : 1);
     d->arena_bytes = bytes + bytes / 4;
     if ((double)d->arena_bytes > d->description.largest)
         d->arena_bytes = bytes;
@@ -274,6 +276,8 @@ static void grow(sph2d__device *d)
         *b = kept[k];
         b->offset = d->used;
         d->used += rounded(b->bytes);
+        b->spare = kept[k].spare ? d->used : 0;
+        d->used += kept[k].spare ? rounded(b->bytes) : 0;
         if (old && !b->device_old && d->error == CL_SUCCESS)
             fail(
                 d,
@@ -338,6 +342,26 @@ void sph2d__device_changed_one(sph2d__device *d, void *host)
     b->device_old = b->host != NULL;
 }
 
+uint64_t sph2d__device_spare(sph2d__device *d, const void *host)
+{
+    block *b = entry_of(d, host);
+    if (b->host && !b->spare) {
+        b->spare = d->used;
+        d->used += rounded(b->bytes);
+        d->grows = d->grows || d->used > d->arena_bytes;
+    }
+    return b->spare;
+}
+
+void sph2d__device_swap(sph2d__device *d, const void *host)
+{
+    block *b = entry_of(d, host);
+    const uint64_t offset = b->offset;
+    b->offset = b->spare;
+    b->spare = offset;
+    d->stale = true;
+}
+
 /* ---- kernels ----------------------------------------------------------------------------------------------------- */
 
 static cl_kernel kernel_named(sph2d__device *d, const char *name)
@@ -368,10 +392,20 @@ static unsigned send_numbers(sph2d__device *d, const void *numbers, size_t bytes
     return d->slot;
 }
 
+bool sph2d__device_is_short(const sph2d__device *d)
+{
+    return d->grows;
+}
+
+void sph2d__device_forget_numbers(sph2d__device *d)
+{
+    d->stale = true;
+}
+
 bool sph2d__device_knows(sph2d__device *d, size_t at, const void *numbers, size_t bytes)
 {
     unsigned char *noted = d->slots[SLOTS] + at;
-    const bool known = memcmp(noted, numbers, bytes) == 0;
+    const bool known = memcmp(noted, numbers, bytes) == 0 && !d->stale;
     memcpy(noted, numbers, bytes);
     return known;
 }
@@ -379,6 +413,7 @@ bool sph2d__device_knows(sph2d__device *d, size_t at, const void *numbers, size_
 void sph2d__device_numbers(sph2d__device *d, const void *numbers, size_t bytes)
 {
     d->numbers_slot = send_numbers(d, numbers, bytes);
+    d->stale = false;
 }
 
 /** Launches a kernel, whose results go to the buffer for them. */

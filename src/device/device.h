@@ -47,6 +47,10 @@ uint64_t sph2d__device_place(sph2d__device *device, const void *block, size_t by
 /** Ends the list; true when the blocks have moved, so that their offsets have to be asked for once more. */
 bool sph2d__device_moved(sph2d__device *device);
 
+/** Whether blocks were placed for which there is no room yet. */
+bool sph2d__device_is_short(const sph2d__device *device);
+/** What the host has is sent again before the next kernel. */
+void sph2d__device_forget_numbers(sph2d__device *device);
 /** Whether the host had the same numbers at the last call with this place; notes them. */
 bool sph2d__device_knows(sph2d__device *device, size_t at, const void *numbers, size_t bytes);
 /** The offset of a block that is placed; 0: there is none. */
@@ -72,6 +76,10 @@ void sph2d__device_changed(sph2d__device *device, unsigned owners);
 /** A kernel has changed a block by arguments; or the host one, alone. */
 void sph2d__device_changed_on(sph2d__device *device, void *block);
 void sph2d__device_changed_one(sph2d__device *device, void *block);
+
+/** Where a kernel may write a block anew while others read what it was, and the end of that: the two change places. */
+uint64_t sph2d__device_spare(sph2d__device *device, const void *block);
+void sph2d__device_swap(sph2d__device *device, const void *block);
 
 /** Ends all further work, for a reason that is static. */
 void sph2d__device_give_up(sph2d__device *device, const char *why);

@@ -65,7 +65,7 @@ static void add_row(sph2d__ranges *to, const sph2d__cells *cells, uint32_t row, 
     }
 }
 
-void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *p, bool cut, sph2d__ranges *to)
+SPH2D__LINKED void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *p, bool cut, sph2d__ranges *to)
 {
     span columns[2], rows[2];
     int column_count = find_spans(p->left, p->right, cells->columns, cells->nx, cells->period.length_x, columns);
@@ -77,7 +77,7 @@ void sph2d__cells_around(const sph2d__cells *cells, const sph2d__patch *p, bool 
                 add_row(to, cells, row, columns[a], rows[b].offset, cut);
 }
 
-void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
+SPH2D__LINKED void sph2d__cells_periodic_ranges(const sph2d__cells *cells, uint32_t cell, sph2d__ranges *to)
 {
     uint32_t row = cell / cells->nx, column = cell - row * cells->nx;
     sph2d__patch patch = {column, column, row, row};

@@ -27,9 +27,13 @@ static inline sph2d__bounds_of sph2d__join_bounds(sph2d__bounds_of a, sph2d__bou
                               a.max_x > b.max_x ? a.max_x : b.max_x, a.max_y > b.max_y ? a.max_y : b.max_y};
 }
 
-/** An array that is put in order, and where to. */
-typedef struct sph2d__reordered {
+/** Arrays that are put in order, from where they are to elsewhere. */
+typedef struct sph2d__moved {
     uint64_t from, to;
+} sph2d__moved;
+typedef struct sph2d__reordered {
+    uint64_t count;
+    sph2d__moved arrays[SPH2D__STORE_COUNT + 2];
 } sph2d__reordered;
 
 /** What a wall did to a particle. */

@@ -83,36 +83,45 @@ sph2d_status sph2d__device_check(const sph2d_sim *sim, sph2d_report *report)
 
 /* ---- cells ------------------------------------------------------------------------------------------------------- */
 
-static void reorder(sph2d__system *s, SPH2D__ARRAY void **array)
+/** Puts an array on the list of those that are put in order. */
+static void list_array(const sph2d__system *s, void *array, sph2d__reordered *list)
 {
-    SPH2D__ARRAY void *from = *array, *to = s->fluid.scratch;
-    const sph2d__reordered with = {sph2d__device_offset(s, from), sph2d__device_offset(s, to)};
-    sph2d__device_span_with(s, "reorder", s->fluid.count, &with, sizeof with);
-    *array = to;
-    s->fluid.scratch = from;
+    list->arrays[list->count++] = (sph2d__moved){sph2d__device_offset(s, array), sph2d__device_spare(s->device, array)};
 }
 
+static void list_all(const sph2d__system *s, sph2d__reordered *list)
+{
+    const sph2d__store *f = &s->fluid;
+    const sph2d__set moved = f->has & f->carried;
+    list->count = 0;
+#define LIST(name)                                                                                                     \
+    if (moved & SPH2D__BIT(name))                                                                                      \
+        list_array(s, f->name, list);
+    SPH2D__STORE_REALS(LIST)
+#undef LIST
+    list_array(s, f->id, list);
+    if (f->colored)
+        list_array(s, f->color, list);
+}
+
+/** Puts all arrays in order at once, each from its place to its spare one. */
 static void reorder_all(sph2d__system *s)
 {
-    sph2d__store *f = &s->fluid;
+    const sph2d__store *f = &s->fluid;
     const sph2d__set moved = f->has & f->carried;
-    void *array;
-#define REORDER(name)                                                                                                  \
-    if (moved & SPH2D__BIT(name)) {                                                                                    \
-        array = f->name;                                                                                               \
-        reorder(s, &array);                                                                                            \
-        f->name = array;                                                                                               \
-    }
-    SPH2D__STORE_REALS(REORDER)
-#undef REORDER
-    array = f->id;
-    reorder(s, &array);
-    f->id = array;
-    if (f->colored) {
-        array = f->color;
-        reorder(s, &array);
-        f->color = array;
-    }
+    sph2d__reordered list;
+    list_all(s, &list);
+    sph2d__device_rebind(s); /* which may move all blocks, where room for spares was missing */
+    list_all(s, &list);
+    sph2d__device_span_with(s, "reorder", f->count, &list, sizeof list);
+#define SWAP(name)                                                                                                     \
+    if (moved & SPH2D__BIT(name))                                                                                      \
+        sph2d__device_swap(s->device, f->name);
+    SPH2D__STORE_REALS(SWAP)
+#undef SWAP
+    sph2d__device_swap(s->device, f->id);
+    if (f->colored)
+        sph2d__device_swap(s->device, f->color);
 }
 
 bool sph2d__device_sort(sph2d__system *s)

@@ -134,9 +134,12 @@ __kernel void reorder(ARGUMENTS)
 {
     const size_t k = get_global_id(0);
     SYSTEM
-    const sph2d__reordered with = *(__global const sph2d__reordered *)(numbers + own_at);
-    if (k < count)
-        BLOCK(ulong, with.to)[k] = BLOCK(const ulong, with.from)[s.fluid_cells.order[k]];
+    __global const sph2d__reordered *with = (__global const sph2d__reordered *)(numbers + own_at);
+    if (k >= count)
+        return;
+    const uint32_t from = s.fluid_cells.order[k];
+    for (ulong n = 0; n < with->count; ++n)
+        BLOCK(ulong, with->arrays[n].to)[k] = BLOCK(const ulong, with->arrays[n].from)[from];
 }
 
 /* ---- advection --------------------------------------------------------------------------------------------------- */

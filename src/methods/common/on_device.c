@@ -99,6 +99,14 @@ static void bind(const sph2d__system *s)
     sph2d__device_numbers(s->device, &to, offsetof(handed, extra) + (s->extra ? s->extra->bytes : 0));
 }
 
+void sph2d__device_rebind(const sph2d__system *s)
+{
+    if (sph2d__device_is_short(s->device)) {
+        sph2d__device_forget_numbers(s->device);
+        bind(s);
+    }
+}
+
 /* ---- kernels ----------------------------------------------------------------------------------------------------- */
 
 static unsigned writes_of(const char *kernel)

@@ -47,6 +47,9 @@ sph2d__slab_sum sph2d__device_work(const sph2d__system *system, const char *kern
 /** Where the device has an array of the system. */
 uint64_t sph2d__device_offset(const sph2d__system *system, const void *array);
 
+/** Sends the system again, with all blocks where there is room for them. */
+void sph2d__device_rebind(const sph2d__system *system);
+
 /** All arrays, ids, colours and cells, too. */
 #define SPH2D__EVERYTHING (~(sph2d__set)0)
 

@@ -6,6 +6,7 @@
 
 #define SPH2D__ARRAY __global
 #define SPH2D__FIXED __constant
+#define SPH2D__LINKED __attribute__((always_inline))
 #define SPH2D__OUTLINE static inline __attribute__((always_inline))
 
 #endif
