@@ -12,9 +12,10 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "sph2d/export.h"
-#include "sph2d/scene.h"
+#include "sph2d/sim.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -33,6 +34,15 @@ typedef struct sph2d_device {
     double largest;    /**< of one block, which has to hold all of a run [bytes] */
 } sph2d_device;
 
+/** What a device has done for a simulation since it was created. */
+typedef struct sph2d_device_use {
+    uint64_t launches; /**< of kernels */
+    uint64_t waits;    /**< how often the processor waited for it */
+    uint64_t sent;     /**< to it [bytes] */
+    uint64_t fetched;  /**< from it [bytes] */
+    uint64_t memory;   /**< on it now [bytes] */
+} sph2d_device_use;
+
 /** Describes up to `room` devices, in an order that stays the same until hardware or drivers change. Returns how many there
  *  are, which may be more; 0 where there is no OpenCL. `out` may be NULL with a room of 0. */
 SPH2D_API size_t sph2d_devices(sph2d_device *out, size_t room);
@@ -40,6 +50,9 @@ SPH2D_API size_t sph2d_devices(sph2d_device *out, size_t room);
 /** Why a device cannot take the steps of a scene, in words that follow "because": "a device does not know bodies". NULL: it can.
  *  Static storage. */
 SPH2D_API const char *sph2d_device_refuses(const sph2d_scene *scene);
+
+/** What the device of a simulation has done; zeros without one. */
+SPH2D_API sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim);
 
 #ifdef __cplusplus
 }

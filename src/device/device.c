@@ -10,7 +10,7 @@
 #include "device/opencl_api.h"
 #include "sph2d/device.h"
 
-enum { MOST_BLOCKS = 1024, MOST_KERNELS = 96, LINE = 64, SLOTS = 64, SLOT = 32768, OPTIONS = 96 };
+enum { MOST_BLOCKS = 1024, MOST_KERNELS = 96, LINE = 64, SLOTS = 64, SLOT = 32768, OPTIONS = 96, MOST_WAITING = 64 };
 
 /** A block that host and device have. */
 typedef struct block {
@@ -26,6 +26,13 @@ typedef struct launcher {
     const char *name;
     cl_kernel kernel;
 } launcher;
+
+/** Results that are to be taken later. */
+typedef struct later {
+    sph2d__take *take;
+    void *to;
+    size_t at, groups;
+} later;
 
 struct sph2d__device {
     const sph2d__opencl *cl;
@@ -44,6 +51,9 @@ struct sph2d__device {
         [SLOT]; /* the host's copies, which the driver reads later; the last: what kernels read, as the host has it */
     unsigned char *host_results;
     size_t host_results_bytes;
+    later waiting[MOST_WAITING];
+    size_t waiting_count, waiting_bytes;
+    sph2d_device_use use;
     launcher launchers[MOST_KERNELS];
     size_t launcher_count;
     sph2d__memory *memory;
@@ -195,6 +205,11 @@ size_t sph2d__device_bytes(const sph2d__device *d)
     return d->arena_bytes + d->results_bytes + SLOTS * SLOT;
 }
 
+sph2d_device_use sph2d__device_used(const sph2d__device *d)
+{
+    return d->use;
+}
+
 const char *sph2d__device_name(const sph2d__device *d)
 {
     return d->description.name;
@@ -310,6 +325,7 @@ static void send_old(sph2d__device *d)
             continue;
         fail(d, d->cl->clEnqueueWriteBuffer(d->queue, d->arena, 1, b->offset, b->bytes, b->host, 0, NULL, NULL),
              "sending");
+        d->use.sent += b->bytes;
         b->device_old = false;
     }
 }
@@ -320,6 +336,8 @@ void sph2d__device_fetch(sph2d__device *d, void *host)
     if (!b || !b->host || !b->host_old || d->error != CL_SUCCESS)
         return;
     fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->arena, 1, b->offset, b->bytes, host, 0, NULL, NULL), "fetching");
+    ++d->use.waits;
+    d->use.fetched += b->bytes;
     b->host_old = false;
 }
 
@@ -389,6 +407,7 @@ static unsigned send_numbers(sph2d__device *d, const void *numbers, size_t bytes
              d->cl->clEnqueueWriteBuffer(d->queue, d->numbers, 0, (size_t)d->slot * SLOT, bytes, d->slots[d->slot], 0,
                                          NULL, NULL),
              "sending numbers");
+    d->use.sent += bytes;
     return d->slot;
 }
 
@@ -423,29 +442,39 @@ static void launch(sph2d__device *d, const char *name, size_t count, const void 
     const cl_kernel kernel = kernel_named(d, name);
     send_old(d);
     const uint64_t numbers = (uint64_t)d->numbers_slot * SLOT, own = (uint64_t)send_numbers(d, arguments, bytes) * SLOT,
-                   items = count;
+                   items = count, at = d->waiting_bytes;
     const size_t local = SPH2D__DEVICE_GROUP, global = (count + local - 1) / local * local;
     if (d->error != CL_SUCCESS || count == 0)
         return;
     const struct {
         size_t size;
         const void *value;
-    } values[] = {{sizeof d->arena, &d->arena}, {sizeof d->numbers, &d->numbers}, {sizeof numbers, &numbers},
-                  {sizeof own, &own},           {sizeof items, &items},           {sizeof d->results, &d->results}};
+    } values[] = {{sizeof d->arena, &d->arena},
+                  {sizeof d->numbers, &d->numbers},
+                  {sizeof numbers, &numbers},
+                  {sizeof own, &own},
+                  {sizeof items, &items},
+                  {sizeof d->results, &d->results},
+                  {sizeof at, &at}};
     for (cl_uint k = 0; k < sizeof values / sizeof *values; ++k)
         fail(d, d->cl->clSetKernelArg(kernel, k, values[k].size, values[k].value), name);
     if (d->error == CL_SUCCESS)
         fail(d, d->cl->clEnqueueNDRangeKernel(d->queue, kernel, 1, NULL, &global, &local, 0, NULL, NULL), name);
+    ++d->use.launches;
     for (size_t k = 0; k < MOST_BLOCKS; ++k)
         if (d->blocks[k].owner & writes)
             d->blocks[k].host_old = true;
 }
 
-/** Makes room for results, at least for one. */
+/** Makes room for results, at least for one; those that wait are taken first. */
 static bool reserve_results(sph2d__device *d, size_t bytes)
 {
     bytes = bytes > LINE ? bytes : LINE;
+    if (d->waiting_bytes + bytes <= d->results_bytes)
+        return true;
+    sph2d__device_settle(d);
     void *host = d->host_results;
+    bytes *= 2;
     if (bytes > d->host_results_bytes) {
         if (!sph2d__resize(d->memory, &host, d->host_results_bytes, bytes, 1))
             return false;
@@ -472,16 +501,56 @@ void sph2d__device_run(sph2d__device *d, const char *kernel, size_t count, const
         fail(d, -6, kernel);
 }
 
+static size_t groups_of(size_t count)
+{
+    return (count + SPH2D__DEVICE_GROUP - 1) / SPH2D__DEVICE_GROUP;
+}
+
 const void *sph2d__device_results(sph2d__device *d, const char *kernel, size_t count, const void *arguments,
                                   size_t bytes, unsigned writes, size_t size)
 {
-    const size_t all = (count + SPH2D__DEVICE_GROUP - 1) / SPH2D__DEVICE_GROUP * size;
+    const size_t all = groups_of(count) * size;
     if (!reserve_results(d, all))
         return NULL;
+    unsigned char *to = d->host_results + d->waiting_bytes;
     launch(d, kernel, count, arguments, bytes, writes);
     if (d->error == CL_SUCCESS && all > 0)
-        fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, 0, all, d->host_results, 0, NULL, NULL), kernel);
+        fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, d->waiting_bytes, all, to, 0, NULL, NULL), kernel);
+    ++d->use.waits;
+    d->use.fetched += all;
     if (d->error != CL_SUCCESS)
-        memset(d->host_results, 0, all);
-    return d->host_results;
+        memset(to, 0, all);
+    return to;
+}
+
+void sph2d__device_results_later(sph2d__device *d, const char *kernel, size_t count, const void *arguments,
+                                 size_t bytes, unsigned writes, size_t size, sph2d__take *take, void *to)
+{
+    const size_t all = groups_of(count) * size;
+    if (d->waiting_count == MOST_WAITING)
+        sph2d__device_settle(d);
+    if (!reserve_results(d, all)) {
+        fail(d, -6, kernel);
+        return;
+    }
+    launch(d, kernel, count, arguments, bytes, writes);
+    d->waiting[d->waiting_count++] = (later){take, to, d->waiting_bytes, groups_of(count)};
+    d->waiting_bytes += rounded(all);
+}
+
+void sph2d__device_settle(sph2d__device *d)
+{
+    if (d->waiting_count == 0)
+        return;
+    if (d->error == CL_SUCCESS && d->waiting_bytes > 0)
+        fail(d,
+             d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, 0, d->waiting_bytes, d->host_results, 0, NULL, NULL),
+             "sums");
+    ++d->use.waits;
+    d->use.fetched += d->waiting_bytes;
+    if (d->error != CL_SUCCESS)
+        memset(d->host_results, 0, d->waiting_bytes);
+    for (size_t k = 0; k < d->waiting_count; ++k)
+        d->waiting[k].take(d->waiting[k].to, d->host_results + d->waiting[k].at, d->waiting[k].groups);
+    d->waiting_count = d->waiting_bytes = 0;
 }

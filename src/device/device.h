@@ -16,6 +16,7 @@
 #include <stdint.h>
 
 #include "base/memory.h"
+#include "sph2d/device.h"
 
 typedef struct sph2d__device sph2d__device;
 
@@ -68,6 +69,14 @@ void sph2d__device_run(sph2d__device *device, const char *kernel, size_t count, 
 const void *sph2d__device_results(sph2d__device *device, const char *kernel, size_t count, const void *arguments,
                                   size_t bytes, unsigned writes, size_t size);
 
+/** Takes the results of a kernel for some groups, once they are there. */
+typedef void sph2d__take(void *to, const void *results, size_t groups);
+/** The same, but the results are handed to `take` later: by sph2d__device_settle(), or before. */
+void sph2d__device_results_later(sph2d__device *device, const char *kernel, size_t count, const void *arguments,
+                                 size_t bytes, unsigned writes, size_t size, sph2d__take *take, void *to);
+/** Waits for all results that are to come later. */
+void sph2d__device_settle(sph2d__device *device);
+
 /** Before the host reads a block: waits until it is there. Of blocks that are in no list nothing is known, and nothing is done. */
 void sph2d__device_fetch(sph2d__device *device, void *block);
 /** After the host has changed blocks of some owners, which it has fetched before. */
@@ -86,6 +95,8 @@ void sph2d__device_give_up(sph2d__device *device, const char *why);
 
 /** Memory of the device in use [bytes]. */
 size_t sph2d__device_bytes(const sph2d__device *device);
+/** What it has done so far. */
+sph2d_device_use sph2d__device_used(const sph2d__device *device);
 /** Its name. */
 const char *sph2d__device_name(const sph2d__device *device);
 

@@ -6,6 +6,7 @@
 #include "methods/common/on_device.h"
 #include "run/run.h"
 #include "sim/simulation.h"
+#include "sph2d/device.h"
 
 sph2d_status sph2d_sim_set_gravity(sph2d_sim *sim, sph2d_vec2 gravity)
 {
@@ -79,6 +80,16 @@ size_t sph2d_sim_memory(const sph2d_sim *sim)
     if (!sim)
         return 0;
     return sim->memory.bytes;
+}
+
+sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim)
+{
+    sph2d_device_use use = {0};
+    if (sim && sph2d__is_on_device(&sim->system)) {
+        use = sph2d__device_used(sim->system.device);
+        use.memory = sph2d__device_bytes(sim->system.device);
+    }
+    return use;
 }
 
 const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim)

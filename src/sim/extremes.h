@@ -11,6 +11,7 @@
 
 typedef struct sph2d__extremes {
     double speed2, acceleration2, density, pressure;
+    double log_density; /**< the largest size of one, where particles have it */
     size_t not_finite;  /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
     size_t escaped;     /**< of the first beyond a side that is a wall */
     size_t implausible; /**< of the first with a density out of bounds */
@@ -54,6 +55,8 @@ static inline void sph2d__see_particle(const sph2d__store *f, const sph2d__limit
     e->acceleration2 = a2 > e->acceleration2 ? a2 : e->acceleration2;
     e->density = density > e->density ? density : e->density;
     e->pressure = pressure > e->pressure ? pressure : e->pressure;
+    const double theta = f->log_density ? fabs(f->log_density[i]) : 0;
+    e->log_density = theta > e->log_density ? theta : e->log_density;
     if (!isfinite(v2 + a2 + x + y) && i < e->not_finite)
         e->not_finite = i;
     if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e->escaped) {
@@ -70,6 +73,7 @@ static inline sph2d__extremes sph2d__join_extremes(sph2d__extremes a, sph2d__ext
                              a.acceleration2 > b.acceleration2 ? a.acceleration2 : b.acceleration2,
                              a.density > b.density ? a.density : b.density,
                              a.pressure > b.pressure ? a.pressure : b.pressure,
+                             a.log_density > b.log_density ? a.log_density : b.log_density,
                              a.not_finite < b.not_finite ? a.not_finite : b.not_finite,
                              a.escaped < b.escaped ? a.escaped : b.escaped,
                              a.implausible < b.implausible ? a.implausible : b.implausible};

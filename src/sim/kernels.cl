@@ -196,7 +196,7 @@ static inline void advect_one(__global uchar *arena, const sph2d__system *s, con
 }
 
 /* Adds up the events of a group. */
-static inline void add_events(__local sph2d__events *parts, __global uchar *results)
+static inline void add_events(__local sph2d__events *parts, __global uchar *to)
 {
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) > 0)
@@ -204,7 +204,7 @@ static inline void add_events(__local sph2d__events *parts, __global uchar *resu
     sph2d__events all = parts[0];
     for (size_t k = 1; k < SPH2D__SLAB; ++k)
         sph2d__add_events(&all, parts[k]);
-    ((__global sph2d__events *)results)[get_group_id(0)] = all;
+    ((__global sph2d__events *)to)[get_group_id(0)] = all;
 }
 
 /* The kernel `advect`: `set` gives a particle's way, `after` is done to it at its end. */

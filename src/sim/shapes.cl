@@ -17,7 +17,10 @@
  * do, where results go. */
 #define ARGUMENTS                                                                                                      \
     __global uchar *arena, __global const uchar *numbers, const ulong system_at, const ulong own_at, const ulong count, \
-        __global uchar *results
+        __global uchar *results_of_all, const ulong results_at
+
+/* A kernel's own. */
+#define results (results_of_all + results_at)
 
 /* The block at an offset, which stands where the host has an address. */
 #define BLOCK(type, pointer) ((pointer) ? (__global type *)(arena + (ulong)(pointer)) : (__global type *)0)
@@ -86,7 +89,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
         add_parts(parts, (size_t)get_group_id(0) * SPH2D__SLAB, count, results);                                       \
     }
 
-static inline void add_parts(__local const sph2d__slab_sum *parts, size_t first, size_t count, __global uchar *results)
+static inline void add_parts(__local const sph2d__slab_sum *parts, size_t first, size_t count, __global uchar *to)
 {
     enum { SUMS = sizeof(sph2d__slab_sum) / sizeof(double) - 1 };
     const size_t l = get_local_id(0), some = count - first < SPH2D__SLAB ? count - first : SPH2D__SLAB;
@@ -99,5 +102,5 @@ static inline void add_parts(__local const sph2d__slab_sum *parts, size_t first,
         const double value = values[k * (SUMS + 1) + l];
         sum = l < SUMS ? sum + value : value > sum ? value : sum;
     }
-    ((__global double *)results)[get_group_id(0) * (SUMS + 1) + l] = sum;
+    ((__global double *)to)[get_group_id(0) * (SUMS + 1) + l] = sum;
 }

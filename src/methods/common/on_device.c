@@ -157,6 +157,24 @@ sph2d__slab_sum sph2d__device_work(const sph2d__system *s, const char *kernel, c
     return total_of(s, sph2d__device_written_by(s, kernel, with, bytes, sizeof(sph2d__slab_sum)));
 }
 
+/** Adds up the sums of slabs. */
+static void take_sums(void *to, const void *results, size_t groups)
+{
+    const sph2d__slab_sum *sums = results;
+    sph2d__slab_sum total = {0};
+    for (size_t k = 0; k < groups; ++k)
+        sph2d__slab_add(&total, &sums[k]);
+    *(sph2d__slab_sum *)to = total;
+}
+
+void sph2d__device_work_later(const sph2d__system *s, const char *kernel, const void *with, size_t bytes,
+                              sph2d__slab_sum *to)
+{
+    bind(s);
+    sph2d__device_results_later(s->device, kernel, s->fluid.count, with, bytes, SPH2D__OF_FLUID,
+                                sizeof(sph2d__slab_sum), take_sums, to);
+}
+
 uint64_t sph2d__device_offset(const sph2d__system *s, const void *array)
 {
     bind(s);

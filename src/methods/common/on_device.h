@@ -44,6 +44,10 @@ sph2d__slab_sum sph2d__device_sum(const sph2d__system *system, const char *kerne
 /** The same of one that writes arrays of the fluid, as sph2d__over_fluid(). */
 sph2d__slab_sum sph2d__device_work(const sph2d__system *system, const char *kernel, const void *with, size_t bytes);
 
+/** The same, later, as sph2d__over_fluid_later(). */
+void sph2d__device_work_later(const sph2d__system *system, const char *kernel, const void *with, size_t bytes,
+                              sph2d__slab_sum *to);
+
 /** Where the device has an array of the system. */
 uint64_t sph2d__device_offset(const sph2d__system *system, const void *array);
 

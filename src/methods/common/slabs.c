@@ -61,6 +61,21 @@ sph2d__slab_sum sph2d__over_fluid(sph2d__system *s, sph2d__slab_work *work, cons
     return over(s, false, work, with);
 }
 
+void sph2d__over_fluid_later(sph2d__system *s, sph2d__slab_work *work, const void *with, const char *kernel,
+                             size_t size, sph2d__slab_sum *to)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_work_later(s, kernel, with, size, to);
+    else
+        *to = over(s, false, work, with);
+}
+
+void sph2d__sums_settle(sph2d__system *s)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_settle(s->device);
+}
+
 sph2d__slab_sum sph2d__sum_fluid(const sph2d__system *s, sph2d__slab_work *work, const void *with)
 {
     sph2d__system same = *s;

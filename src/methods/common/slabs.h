@@ -20,6 +20,11 @@ typedef void sph2d__slab_work(sph2d__system *system, const sph2d__slab *slab, co
 sph2d__slab_sum sph2d__over_fluid(sph2d__system *system, sph2d__slab_work *work, const void *with, const char *kernel,
                                   size_t size);
 
+/** The same, whose total is at *to later: when sph2d__sums_settle() returns. On the processor it is there at once. */
+void sph2d__over_fluid_later(sph2d__system *system, sph2d__slab_work *work, const void *with, const char *kernel,
+                             size_t size, sph2d__slab_sum *to);
+void sph2d__sums_settle(sph2d__system *system);
+
 /** The same for work that only sums: the system stays as it is. */
 sph2d__slab_sum sph2d__sum_fluid(const sph2d__system *system, sph2d__slab_work *work, const void *with);
 

@@ -126,7 +126,9 @@ typedef struct sph2d__system {
     double step;  /**< length of the present step [s] */
     double speed; /**< largest speed of a particle at the start of the step [m/s] */
     double max_pressure; /**< largest pressure of a particle at the start of the step, at least that of the head [Pa] */
-    double spring_head;  /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
+    double
+        max_log_density;  /**< largest size of a logarithm of density over rest density then, where particles have it */
+    double spring_head;   /**< the part of `head` by what only springs of bodies make fast [m^2/s^2] */
     double spring_energy; /**< of these springs at the start [J/m] */
     double head; /**< g h + U^2/2 + work of pulls at the start, or as implied by the sound speed given [m^2/s^2] */
     double central_weight; /**< wcsph: the weight of the central form of viscosity, methods/terms/viscosity.h [1/m^2] */

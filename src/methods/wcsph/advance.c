@@ -137,12 +137,12 @@ static double withheld_power(const sph2d__system *s)
 
 /** Sets particles in reservoirs to what openings prescribe by the liquid before them now. Once a step would be too late: a
  *  row of particles before a reservoir answers in 1/(N B c0), a third of a step, and swings ever more. */
-static void impose(sph2d_sim *sim)
+static double impose(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     sph2d__frozen *z = s->frozen;
     if (!z->holds)
-        return;
+        return 0;
     const double before = withheld_power(s);
     for (size_t i = 0; i < s->fluid.count; ++i)
         s->fluid.density[i] = s->rest_density * sph2d__density_ratio(s->fluid.log_density[i]);
@@ -150,62 +150,98 @@ static void impose(sph2d_sim *sim)
     for (size_t i = 0; i < s->fluid.count; ++i)
         if (z->held[i] > 0)
             sph2d__frozen_start_motion(s, i);
-    sim->record.energy_fed -= z->dt / 2 * (withheld_power(s) - before);
+    return z->dt / 2 * (withheld_power(s) - before);
 }
+
+/** What is summed up in an acoustic step, and is booked once it is known. */
+typedef struct sound_sums {
+    sph2d__slab_sum work, rates;     /* of both sweeps */
+    double stopped, rubbed, imposed; /* by bodies, and openings */
+} sound_sums;
+
+static void book_sound(sph2d_sim *sim, const sound_sums *of)
+{
+    sph2d__system *s = &sim->system;
+    sph2d__record *r = &sim->record;
+    const double share = s->frozen->share;
+    r->energy_pressed -= of->work.first;
+    r->energy_viscous -= of->work.second;
+    r->energy_fed -= of->work.third;
+    r->energy_forces += of->work.fourth;
+    s->external = (sph2d_vec2){s->external.x + share * of->work.x, s->external.y + share * of->work.y};
+    r->energy_pressed -= of->stopped;
+    r->energy_viscous -= of->rubbed;
+    r->energy_fed -= of->imposed;
+    r->energy_diffused -= of->rates.second;
+    r->energy_pressed += of->rates.first;
+    r->energy_fed -= of->rates.fourth;
+}
+
+/** One of the acoustic steps, number k of `steps`, of which `middle` has what acts once. */
+static void sound_step(sph2d_sim *sim, size_t k, size_t steps, size_t middle, sound_sums *sums)
+{
+    sph2d__system *s = &sim->system;
+    sph2d__frozen *z = s->frozen;
+    const double once = k == middle ? (double)steps : 0, half = z->dt / 2;
+    *sums = (sound_sums){.stopped = 0};
+    sph2d__over_fluid_later(s, force_slab, &once, "force_pass", sizeof once, &sums->work);
+    if (s->rigid_count > 0)
+        sums->stopped = sph2d__frozen_bodies_kick(s, z->share * (double)k, &sums->rubbed);
+    swap(&z->velocity, &z->next_velocity);
+    if (k < steps)
+        sums->imposed = impose(sim);
+    sph2d__images_of_velocity(s);
+    const sweep_times times = {half, k < steps ? half : 0, k + 1 == middle};
+    sph2d__over_fluid_later(s, rate_slab, &times, "rate_pass", sizeof times, &sums->rates);
+    sph2d__images_of_pressure(s);
+    if (k + 1 == middle)
+        sph2d__images_of_rest(s);
+}
+
+/* Acoustic steps whose sums are booked together. */
+enum { SOUND_QUEUE = 16 };
 
 /** The acoustic steps. */
 static void sound(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
     sph2d__frozen *z = s->frozen;
-    const size_t steps = acoustic_steps(s, dt);
+    const size_t steps = acoustic_steps(s, dt), middle = (steps + 1) / 2; /* when what acts once does */
+    sph2d__slab_sum first, stored, last = {0};
+    sound_sums sums[SOUND_QUEUE];
     z->dt = dt / (double)steps;
     z->thick = !sph2d__viscous_at_once(s, dt);
     z->share = 1 / (double)steps;
     z->past = 1;
     sph2d__frozen_begin(s);
     sph2d__frozen_start_external(s);
-    const double half = z->dt / 2;
     sph2d__images_of_velocity(s);
-    sim->record.energy_fed += sph2d__frozen_store(s);
-    const size_t middle = (steps + 1) / 2; /* when what acts once does */
-    sph2d__slab_sum rates =
-        sph2d__over_fluid(s, rate_slab, &(sweep_times){0, half, middle == 1}, "rate_pass", sizeof(sweep_times));
+    sph2d__frozen_store_later(s, &stored);
+    const sweep_times times = {0, z->dt / 2, middle == 1};
+    sph2d__over_fluid_later(s, rate_slab, &times, "rate_pass", sizeof times, &first);
     sph2d__images_of_pressure(s);
     if (middle == 1)
         sph2d__images_of_rest(s);
-    const double before = rates.third;
-    sim->record.energy_pressed += rates.first;
-    sim->record.energy_fed -= rates.fourth;
-    for (size_t k = 1; k <= steps; ++k) {
-        const double once = k == middle ? (double)steps : 0;
-        const sph2d__slab_sum work = sph2d__over_fluid(s, force_slab, &once, "force_pass", sizeof once);
-        sim->record.energy_pressed -= work.first;
-        sim->record.energy_viscous -= work.second;
-        sim->record.energy_fed -= work.third;
-        sim->record.energy_forces += work.fourth;
-        s->external = (sph2d_vec2){s->external.x + z->share * work.x, s->external.y + z->share * work.y};
-        if (s->rigid_count > 0) {
-            double friction;
-            sim->record.energy_pressed -= sph2d__frozen_bodies_kick(s, z->share * (double)k, &friction);
-            sim->record.energy_viscous -= friction;
+    for (size_t k = 1, queued = 0; k <= steps; ++k) {
+        sound_step(sim, k, steps, middle, &sums[queued++]);
+        if (queued < SOUND_QUEUE && k < steps)
+            continue;
+        sph2d__sums_settle(s);
+        if (k <= SOUND_QUEUE) {
+            sim->record.energy_fed += s->mass * stored.first;
+            sim->record.energy_pressed += first.first;
+            sim->record.energy_fed -= first.fourth;
         }
-        swap(&z->velocity, &z->next_velocity);
-        if (k < steps)
-            impose(sim);
-        sph2d__images_of_velocity(s);
-        rates = sph2d__over_fluid(s, rate_slab, &(sweep_times){half, k < steps ? half : 0, k + 1 == middle},
-                                  "rate_pass", sizeof(sweep_times));
-        sph2d__images_of_pressure(s);
-        if (k + 1 == middle)
-            sph2d__images_of_rest(s);
-        sim->record.energy_diffused -= rates.second;
-        sim->record.energy_pressed += rates.first;
-        sim->record.energy_fed -= rates.fourth;
+        for (size_t n = 0; n < queued; ++n)
+            book_sound(sim, &sums[n]);
+        last = sums[queued - 1].rates;
+        queued = 0;
     }
     sim->record.energy_pressed +=
-        s->mass * s->sound_speed * s->sound_speed * z->dt * z->dt / 8 * (before - rates.third);
-    sim->record.energy_pressed -= sph2d__frozen_store(s); /* is not dissipated */
+        s->mass * s->sound_speed * s->sound_speed * z->dt * z->dt / 8 * (first.third - last.third);
+    sph2d__frozen_store_later(s, &stored);
+    sph2d__sums_settle(s);
+    sim->record.energy_pressed -= s->mass * stored.first; /* is not dissipated */
 }
 
 /** Finds the particles in reservoirs of openings. What is prescribed is all that is known of them: no sum adds to it. */

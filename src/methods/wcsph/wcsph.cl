@@ -165,12 +165,6 @@ ADVECT(whole_way, nothing_after)
 
 /* ---- balances ---------------------------------------------------------------------------------------------------- */
 
-static inline void one_pressed(const sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)
-{
-    sum->most = fabs(s->fluid.log_density[i]);
-}
-SUM(sum_pressed_pass, int, one_pressed)
-
 static inline void one_energy(const sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)
 {
     sph2d__add_energy(s, i, elastic_of(s, i), sum);

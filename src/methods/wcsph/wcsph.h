@@ -222,6 +222,8 @@ void sph2d__frozen_begin(sph2d__system *system);
 void sph2d__frozen_start_motion(sph2d__system *system, size_t i);
 void sph2d__frozen_start_external(sph2d__system *system);
 double sph2d__frozen_store(sph2d__system *system);
+/** The same, in `first` of a sum that is there later, over the mass of a particle (slabs.h). */
+void sph2d__frozen_store_later(sph2d__system *system, sph2d__slab_sum *to);
 /** In place of acoustic steps, in method `constraint` (implicit.c). */
 void sph2d__implicit_sound(sph2d_sim *sim, double dt);
 /** Close pairs in it (implicit_close.c): room for their rows, false when memory is short; the rows, with particles where

@@ -24,6 +24,11 @@ static void store_slab(sph2d__system *s, const sph2d__slab *slab, const void *wi
         store_one(s, i, sum);
 }
 
+void sph2d__frozen_store_later(sph2d__system *s, sph2d__slab_sum *to)
+{
+    sph2d__over_fluid_later(s, store_slab, NULL, "store_pass", 0, to);
+}
+
 double sph2d__frozen_store(sph2d__system *s)
 {
     return s->mass * sph2d__over_fluid(s, store_slab, NULL, "store_pass", 0).first;

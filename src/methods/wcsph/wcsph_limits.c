@@ -3,7 +3,6 @@
  *  How long a step of methods `wcsph` and `constraint` may be, and into how many acoustic ones it is cut. */
 #include <math.h>
 
-#include "methods/common/on_device.h"
 #include "methods/terms/tension.h"
 #include "methods/wcsph/wcsph.h"
 #include "scene/derive.h"
@@ -27,11 +26,7 @@ static double steady_step(const sph2d__system *s)
 {
     const double c2 = s->sound_speed * s->sound_speed;
     double pressed = fmax(s->head, sph2d__head_of_sound(s));
-    if (sph2d__is_on_device(s))
-        pressed = fmax(pressed, c2 * sph2d__device_sum(s, "sum_pressed_pass", NULL, 0).most);
-    else
-        for (size_t i = 0; i < s->fluid.count; ++i)
-            pressed = fmax(pressed, c2 * fabs(s->fluid.log_density[i]));
+    pressed = fmax(pressed, c2 * s->max_log_density);
     return STEADY * 2 * s->spacing / sqrt(s->lattice_stiffness * pressed);
 }
 
