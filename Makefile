@@ -160,7 +160,7 @@ EXAMPLES := $(filter-out $(if $(GLFW),,examples/window.c),$(call buildable,$(sor
 TEMPLATES := cli/study/page.html cli/study/plots.gp
 PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 # The programs of devices, each with all that it includes, and headers in place of those of C.
-PROGRAMS := $(sort $(wildcard src/methods/*/*.cl))
+PROGRAMS := $(sort $(wildcard src/device/*.cl src/methods/*/*.cl))
 PROGRAM_PARTS := $(wildcard src/*/*.cl src/device/clc/*.h src/device/clc/*/*.h)
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
@@ -234,8 +234,8 @@ $(CONTACTS_OBJ): PART = $(CONTACTS_FLAGS)
 $(RENDER_OBJ): PART = $(RENDER_FLAGS)
 $(CLI_OBJ): PART = $(CLI_FLAGS)
 $(TEST_OBJ): PART = $(TEST_FLAGS) -Wno-missing-prototypes
-$(BENCH_OBJ) $(FRAMES_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ): PART = -Iinclude
-$(VARIANTS_OBJ): PART = $(CORE_FLAGS)
+$(FRAMES_OBJ) $(STRANGERS_OBJ) $(HARD_OBJ) $(GOLDEN_OBJ) $(FAULTS_OBJ): PART = -Iinclude
+$(VARIANTS_OBJ) $(BENCH_OBJ): PART = $(CORE_FLAGS)
 $(FUZZ_OBJ): PART = $(CORE_FLAGS) $(call pc_cflags,libxxhash)
 $(EXAMPLE_OBJ): PART = -Iinclude $(call pc_cflags,$(GLFW))
 $(RENDER_OBJ) $(TEST_OBJ): | $(if $(WITH_RENDER),$(BUILD)/gen/shaders.h)

@@ -538,6 +538,12 @@ void sph2d__device_results_later(sph2d__device *d, const char *kernel, size_t co
     d->waiting_bytes += rounded(all);
 }
 
+void sph2d__device_finish(sph2d__device *d)
+{
+    if (d->error == CL_SUCCESS)
+        fail(d, d->cl->clFinish(d->queue), "waiting");
+}
+
 void sph2d__device_settle(sph2d__device *d)
 {
     if (d->waiting_count == 0)

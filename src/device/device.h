@@ -93,6 +93,9 @@ void sph2d__device_swap(sph2d__device *device, const void *block);
 /** Ends all further work, for a reason that is static. */
 void sph2d__device_give_up(sph2d__device *device, const char *why);
 
+/** Waits until all kernels have run. */
+void sph2d__device_finish(sph2d__device *device);
+
 /** Memory of the device in use [bytes]. */
 size_t sph2d__device_bytes(const sph2d__device *device);
 /** What it has done so far. */

@@ -15,20 +15,23 @@ typedef struct wishes {
     double sizes[MOST], threads[MOST];
     sph2d_isa isas[MOST];
     size_t scene_count, size_count, thread_count, isa_count;
-    int steps, runs;
+    int steps, runs, device;
     bench_form form;
 } wishes;
 
-static const char usage[] = "Usage: bench [OPTION...]\n"
-                            "Times steps of scenes; CPU seconds are those of the best of some runs.\n"
-                            "  -s, --scenes NAME,...   which scenes; default all: wcsph, muller, pcisph,\n"
-                            "                          constraint, fitted\n"
-                            "  -p, --particles N,...   about so many particles; default 16000\n"
-                            "  -j, --threads N,...     default 1\n"
-                            "      --isa NAME,...      auto, baseline, avx2, avx512; default auto\n"
-                            "  -n, --steps N           steps of a run; default 400000 over the particles, 5 at least\n"
-                            "  -r, --runs N            default 5\n"
-                            "      --csv, --json       instead of a table\n";
+static const char usage[] =
+    "Usage: bench [OPTION...]\n"
+    "Times steps of scenes; CPU seconds are those of the best of some runs.\n"
+    "  -s, --scenes NAME,...   which scenes; default all: wcsph, muller, pcisph,\n"
+    "                          constraint, fitted\n"
+    "  -p, --particles N,...   about so many particles; default 16000\n"
+    "  -j, --threads N,...     default 1\n"
+    "      --isa NAME,...      auto, baseline, avx2, avx512; default auto\n"
+    "  -n, --steps N           steps of a run; default 400000 over the particles, 5 at least\n"
+    "  -r, --runs N            default 5\n"
+    "  -d, --device N          one of `sph2d devices`, with its launches, waits and transfers in a step;\n"
+    "                          share of peak and memory are of what it does at most\n"
+    "      --csv, --json       instead of a table\n";
 
 static int fault(const char *what, const char *value)
 {
@@ -87,14 +90,19 @@ static int read_isas(wishes *w, char *list)
 
 static int read_options(wishes *w, int argc, char **argv)
 {
-    static const struct option longs[] = {
-        {"scenes", required_argument, NULL, 's'},  {"particles", required_argument, NULL, 'p'},
-        {"threads", required_argument, NULL, 'j'}, {"isa", required_argument, NULL, 'i'},
-        {"steps", required_argument, NULL, 'n'},   {"runs", required_argument, NULL, 'r'},
-        {"csv", no_argument, NULL, 'c'},           {"json", no_argument, NULL, 'J'},
-        {"help", no_argument, NULL, 'h'},          {NULL, 0, NULL, 0}};
+    static const struct option longs[] = {{"scenes", required_argument, NULL, 's'},
+                                          {"particles", required_argument, NULL, 'p'},
+                                          {"threads", required_argument, NULL, 'j'},
+                                          {"isa", required_argument, NULL, 'i'},
+                                          {"steps", required_argument, NULL, 'n'},
+                                          {"runs", required_argument, NULL, 'r'},
+                                          {"device", required_argument, NULL, 'd'},
+                                          {"csv", no_argument, NULL, 'c'},
+                                          {"json", no_argument, NULL, 'J'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {NULL, 0, NULL, 0}};
     int id, code = 0;
-    while (code == 0 && (id = getopt_long(argc, argv, "s:p:j:n:r:h", longs, NULL)) != -1) {
+    while (code == 0 && (id = getopt_long(argc, argv, "s:p:j:n:r:d:h", longs, NULL)) != -1) {
         double number = 0;
         size_t one = 0;
         switch (id) {
@@ -109,6 +117,10 @@ static int read_options(wishes *w, int argc, char **argv)
             break;
         case 'i':
             code = read_isas(w, optarg);
+            break;
+        case 'd':
+            code = read_numbers(&number, &one, 64, optarg);
+            w->device = (int)number;
             break;
         case 'n':
         case 'r':
@@ -158,13 +170,16 @@ static bool measure_all(const wishes *w, int threads, sph2d_isa isa)
                        : sph2d_isa_available(SPH2D_ISA_AVX512) ? SPH2D_ISA_AVX512
                        : sph2d_isa_available(SPH2D_ISA_AVX2)   ? SPH2D_ISA_AVX2
                                                                : SPH2D_ISA_BASELINE;
-    bench_machine machine = bench_machine_measure(widest, threads);
-    if (w->form == BENCH_TABLE)
+    const bench_machine machine =
+        w->device > 0 ? bench_machine_of_device(w->device) : bench_machine_measure(widest, threads);
+    if (w->form == BENCH_TABLE && w->device > 0)
+        printf("device %d: %.1f GFlop/s, %.1f GB/s\n", w->device, machine.flops / 1e9, machine.bandwidth / 1e9);
+    else if (w->form == BENCH_TABLE)
         printf("%d threads, %s: %.1f GFlop/s, %.1f GB/s\n", threads, sph2d_isa_name(widest), machine.flops / 1e9,
                machine.bandwidth / 1e9);
     for (size_t p = 0; p < w->size_count; ++p)
         for (size_t k = 0; k < w->scene_count; ++k) {
-            bench_job job = {w->scenes[k], w->sizes[p], threads, isa, steps_for(w, w->sizes[p]), w->runs};
+            bench_job job = {w->scenes[k], w->sizes[p], threads, isa, w->device, steps_for(w, w->sizes[p]), w->runs};
             bench_row row;
             if (bench_measure(&job, &row))
                 bench_print(stdout, w->form, &row, &machine);
@@ -181,7 +196,7 @@ int main(int argc, char **argv)
     if (code != 0)
         return code;
     fill_defaults(&w);
-    bench_print_head(stdout, w.form);
+    bench_print_head(stdout, w.form, w.device > 0);
     for (size_t t = 0; t < w.thread_count; ++t)
         for (size_t i = 0; i < w.isa_count; ++i)
             code |= !measure_all(&w, (int)w.threads[t], w.isas[i]);

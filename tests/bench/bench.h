@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 
+#include <sph2d/device.h>
 #include <sph2d/sph2d.h>
 
 /** A scene of any number of particles. What one pair costs is counted by hand from the formulas of its method:
@@ -27,6 +28,7 @@ typedef struct bench_job {
     double particles;
     int threads;
     sph2d_isa isa;
+    int device;      /**< that takes the steps, 0: the processor */
     int steps, runs; /**< steps of a run; the run that takes least counts */
 } bench_job;
 
@@ -40,6 +42,7 @@ typedef struct bench_row {
     double carried; /**< c0 dt/dx, the mean over the steps */
     sph2d_profile profile;
     sph2d_summary summary;
+    sph2d_device_use use; /**< of the device, over all runs */
 } bench_row;
 
 /** What a machine can do with so many threads. */
@@ -54,6 +57,9 @@ bool bench_measure(const bench_job *job, bench_row *row);
 /** Measures the machine, with the widest instruction set or a narrower one. */
 bench_machine bench_machine_measure(sph2d_isa isa, int threads);
 
+/** The same of a device. All zeros with a message on stderr where it cannot be had. */
+bench_machine bench_machine_of_device(int device);
+
 /** Seconds that pass, and that processors spend on this process. */
 double bench_wall(void);
 double bench_cpu(void);
@@ -63,7 +69,8 @@ double bench_traversals(const bench_row *row);
 
 /** Prints the heading, a row, in one of the forms. */
 typedef enum bench_form { BENCH_TABLE, BENCH_CSV, BENCH_JSON } bench_form;
-void bench_print_head(FILE *out, bench_form form);
+/** `device`: with what a device has done in a step. */
+void bench_print_head(FILE *out, bench_form form, bool device);
 void bench_print(FILE *out, bench_form form, const bench_row *row, const bench_machine *machine);
 
 #endif

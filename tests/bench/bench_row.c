@@ -39,6 +39,7 @@ static sph2d_sim *make(const bench_job *job, sph2d_report *report)
     scene.run.until = 100;
     options.threads = job->threads;
     options.isa = job->isa;
+    options.device = job->device;
     options.profile = true;
     return sph2d_sim_create(&scene, &options, &sim, report) == SPH2D_OK ? sim : NULL;
 }
@@ -64,6 +65,7 @@ bool bench_measure(const bench_job *job, bench_row *row)
     }
     *row = (bench_row){.job = *job, .cpu = INFINITY, .wall = INFINITY};
     time = 0;
+    const sph2d_device_use start = sph2d_sim_device_use(sim);
     for (int run = 0; run < job->runs; ++run) {
         sph2d_profile before = sph2d_sim_profile(sim);
         double wall = bench_wall(), cpu = bench_cpu();
@@ -79,10 +81,15 @@ bool bench_measure(const bench_job *job, bench_row *row)
             row->profile = less(sph2d_sim_profile(sim), &before);
         }
     }
+    row->use = sph2d_sim_device_use(sim);
+    row->use.launches -= start.launches;
+    row->use.waits -= start.waits;
+    row->use.sent -= start.sent;
+    row->use.fetched -= start.fetched;
     const sph2d_plan *plan = sph2d_sim_plan(sim);
     row->summary = sph2d_sim_summary(sim);
     row->particles = sph2d_sim_fluid(sim).count;
-    row->memory = sph2d_sim_memory(sim);
+    row->memory = job->device > 0 ? row->use.memory : sph2d_sim_memory(sim);
     row->isa = sph2d_sim_isa(sim);
     row->particle_steps = (double)row->particles * job->steps;
     row->neighbours = row->summary.neighbours;
@@ -107,20 +114,21 @@ typedef struct column {
     int width, digits;
 } column;
 
-enum { TEXTS = 2, COLUMNS = 24 };
-static const column columns[COLUMNS] = {
+enum { TEXTS = 2, COLUMNS = 24, OF_DEVICE = 4 };
+static const column columns[COLUMNS + OF_DEVICE] = {
     {"scene", -11, 0},        {"isa", -8, 0},          {"threads", 7, 0},   {"particles", 9, 0},
     {"neighbours", 10, 1},    {"M/s", 6, 2},           {"M/CPU s", 7, 2},   {"c dt/dx", 7, 3},
     {"carried M/s", 11, 2},   {"Mpairs/CPU s", 12, 0}, {"ns/pair", 7, 2},   {"traversals", 10, 1},
     {"ns/traversal", 12, 1},  {"move %", 6, 0},        {"sort %", 6, 0},    {"walls %", 7, 0},
     {"search %", 8, 0},       {"density %", 9, 0},     {"forces %", 8, 0},  {"solve %", 7, 0},
     {"bookkeeping %", 13, 0}, {"B/particle", 10, 0},   {"of peak %", 9, 1}, {"of memory %", 11, 1},
+    {"launches", 8, 1},       {"waits", 6, 1},         {"B sent", 9, 0},    {"B fetched", 9, 0},
 };
 
 /* By form. */
 static const char *const between[] = {"  ", ",", ", "};
 
-static void fill(const bench_row *row, const bench_machine *machine, double values[COLUMNS])
+static void fill(const bench_row *row, const bench_machine *machine, double values[COLUMNS + OF_DEVICE])
 {
     double pairs = row->particle_steps * row->neighbours, all = 0, traversals = bench_traversals(row);
     for (int k = 0; k < SPH2D_PHASE_COUNT; ++k)
@@ -143,13 +151,18 @@ static void fill(const bench_row *row, const bench_machine *machine, double valu
     values[21] = (double)row->memory / (double)row->particles;
     values[22] = 100 * pairs * row->job.scene->flops / row->wall / machine->flops;
     values[23] = 100 * row->particle_steps * 8 * row->job.scene->doubles / row->wall / machine->bandwidth;
+    const double steps = (double)row->job.steps * row->job.runs;
+    values[24] = (double)row->use.launches / steps;
+    values[25] = (double)row->use.waits / steps;
+    values[26] = (double)row->use.sent / steps;
+    values[27] = (double)row->use.fetched / steps;
 }
 
-void bench_print_head(FILE *out, bench_form form)
+void bench_print_head(FILE *out, bench_form form, bool device)
 {
     if (form == BENCH_JSON)
         return;
-    for (int k = 0; k < COLUMNS; ++k)
+    for (int k = 0; k < COLUMNS + (device ? OF_DEVICE : 0); ++k)
         fprintf(out, "%s%*s", k > 0 ? between[form] : "", form == BENCH_CSV ? 0 : columns[k].width, columns[k].name);
     fputc('\n', out);
 }
@@ -157,9 +170,9 @@ void bench_print_head(FILE *out, bench_form form)
 void bench_print(FILE *out, bench_form form, const bench_row *row, const bench_machine *machine)
 {
     const char *texts[TEXTS] = {row->job.scene->name, sph2d_isa_name(row->isa)};
-    double values[COLUMNS];
+    double values[COLUMNS + OF_DEVICE];
     fill(row, machine, values);
-    for (int k = 0; k < COLUMNS; ++k) {
+    for (int k = 0; k < COLUMNS + (row->job.device > 0 ? OF_DEVICE : 0); ++k) {
         const column *c = &columns[k];
         fputs(k > 0 ? between[form] : form == BENCH_JSON ? "{" : "", out);
         if (form == BENCH_JSON)
