@@ -74,6 +74,7 @@ sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *parti
     if (fluid->count == before)
         return SPH2D_OK;
     sph2d__host_changed(&sim->system, SPH2D__EVERYTHING);
+    sim->none_left = false;
     sph2d_status status = sph2d__sim_book_new_surface(sim, before);
     return status == SPH2D_OK ? settle(sim) : status;
 }

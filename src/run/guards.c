@@ -221,6 +221,7 @@ bool sph2d__sim_measure(sph2d_sim *sim, sph2d_report *report)
     if (compression > sim->record.compression_max)
         sim->record.compression_max = compression;
     sim->record.speed = sqrt(e.speed2);
+    sim->none_left = e.left == SIZE_MAX;
     sim->system.max_log_density = e.log_density;
     sim->system.max_pressure = fmax(e.pressure, sim->system.rest_density * sim->system.head);
     sph2d__sim_choose_step(sim, sqrt(e.speed2), sqrt(e.acceleration2));

@@ -188,6 +188,7 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
             if (status != SPH2D_OK)
                 return status;
             sph2d__host_changed(&sim->system, SPH2D__EVERYTHING);
+            sim->none_left = false;
             ++sim->source_rows[i];
         }
     }
@@ -195,20 +196,6 @@ sph2d_status sph2d__sim_emit(sph2d_sim *sim)
 }
 
 /* ---- drains and open sides --------------------------------------------------------------------------------------- */
-
-/** Whether any particle has left. */
-static bool any_left(const sph2d_sim *sim)
-{
-    const sph2d__store *f = &sim->system.fluid;
-    bool any = false;
-#pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN) shared(any)
-    for (size_t i = 0; i < f->count; ++i)
-        if (sph2d__side_left(&sim->world.box, f->x[i], f->y[i]) >= 0) {
-#pragma omp atomic write
-            any = true;
-        }
-    return any;
-}
 
 static bool in_drain(const sph2d_sim *sim, double x, double y)
 {
@@ -299,9 +286,9 @@ sph2d_status sph2d__sim_drain(sph2d_sim *sim)
 {
     if (!removes_particles(&sim->world.scene))
         return SPH2D_OK;
-    sph2d__host_reads(&sim->system, SPH2D__BIT(x) | SPH2D__BIT(y));
-    if (sim->world.scene.drain_count == 0 && sim->world.scene.opening_count == 0 && !any_left(sim))
+    if (sim->world.scene.drain_count == 0 && sim->world.scene.opening_count == 0 && sim->none_left)
         return SPH2D_OK;
+    sph2d__host_reads(&sim->system, SPH2D__BIT(x) | SPH2D__BIT(y));
     if (!sph2d__sim_reserve_flags(sim))
         return SPH2D_NOMEM;
     return flag_removed(sim) ? sph2d__sim_remove_flagged(sim) : SPH2D_OK;

@@ -60,6 +60,7 @@ static inline void sph2d__add_events(sph2d__events *to, sph2d__events met)
     to->stopped += met.stopped;
     to->driven += met.driven;
     to->diffused += met.diffused;
+    to->noted += met.noted;
 }
 
 #endif

@@ -147,19 +147,15 @@ bool sph2d__device_sort(sph2d__system *s)
 
 /* ---- advection --------------------------------------------------------------------------------------------------- */
 
-/** Hands what walls did to particles to the loads. */
-static void take_contacts(sph2d_sim *sim)
+/** Hands what walls did to particles, so many times, to the loads. */
+static void take_contacts(sph2d_sim *sim, uint64_t count)
 {
     sph2d__device *d = sim->system.device;
-    sph2d__device_changed_on(d, sim->contact_count);
-    sph2d__device_fetch(d, sim->contact_count);
-    if (*sim->contact_count == 0)
-        return;
     sph2d__device_changed_on(d, sim->contacts);
     sph2d__device_fetch(d, sim->contacts);
-    if (*sim->contact_count > sim->contact_room)
+    if (count > sim->contact_room)
         sph2d__device_give_up(d, "more particles met walls in one step than its list holds");
-    for (uint32_t k = 0; k < *sim->contact_count && k < sim->contact_room; ++k)
+    for (uint64_t k = 0; k < count && k < sim->contact_room; ++k)
         sph2d__loads_contact(sim, sim->contacts[k].wall, sim->contacts[k].at, sim->contacts[k].change, 0);
     *sim->contact_count = 0;
     sph2d__device_changed_one(d, sim->contact_count);
@@ -185,8 +181,8 @@ sph2d_status sph2d__device_advect(sph2d_sim *sim, double dt)
     sph2d__events all = {0};
     for (size_t k = 0; parts && k < sph2d__slabs(s->fluid.count); ++k)
         sph2d__add_events(&all, parts[k]);
-    if (with.noted)
-        take_contacts(sim);
+    if (all.noted > 0)
+        take_contacts(sim, all.noted);
     sph2d__advected(sim, &all);
     return all.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
 }

@@ -31,6 +31,7 @@ typedef struct sph2d__events {
     uint64_t hits, reflections, not_finite;
     /** Energy lost to walls, gained from moving ones, and lost by changes of density, in quanta (simulation.h). */
     int64_t stopped, driven, diffused;
+    uint64_t noted; /**< on a device: contacts with walls that are listed for loads */
 } sph2d__events;
 
 /** By how much the liquid's own forces changed its velocity in the kick. Elastic energy pays for it, by the velocity that

@@ -15,6 +15,7 @@ typedef struct sph2d__extremes {
     size_t not_finite;  /**< index of the first particle with a value that is not finite; SIZE_MAX for none */
     size_t escaped;     /**< of the first beyond a side that is a wall */
     size_t implausible; /**< of the first with a density out of bounds */
+    size_t left;        /**< of the first that has left through a side */
 } sph2d__extremes;
 
 /** Bounds to check. */
@@ -41,7 +42,7 @@ static inline int sph2d__side_left(const sph2d_box *box, double x, double y)
 
 static inline sph2d__extremes sph2d__no_extremes(void)
 {
-    return (sph2d__extremes){.not_finite = SIZE_MAX, .escaped = SIZE_MAX, .implausible = SIZE_MAX};
+    return (sph2d__extremes){.not_finite = SIZE_MAX, .escaped = SIZE_MAX, .implausible = SIZE_MAX, .left = SIZE_MAX};
 }
 
 /** Takes particle i into account. */
@@ -59,10 +60,11 @@ static inline void sph2d__see_particle(const sph2d__store *f, const sph2d__limit
     e->log_density = theta > e->log_density ? theta : e->log_density;
     if (!isfinite(v2 + a2 + x + y) && i < e->not_finite)
         e->not_finite = i;
-    if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e->escaped) {
-        const int side = sph2d__side_left(&within->domain, x, y); /* beyond the end of the walls */
-        e->escaped = side >= 0 && within->open[side] ? e->escaped : i;
-    }
+    const int side = sph2d__side_left(&within->domain, x, y);
+    e->left = side >= 0 && i < e->left ? i : e->left;
+    if ((x < box.min.x || x > box.max.x || y < box.min.y || y > box.max.y) && i < e->escaped &&
+        !(side >= 0 && within->open[side])) /* beyond the end of the walls */
+        e->escaped = i;
     if (!(density >= within->min_density && density <= within->max_density) && i < e->implausible)
         e->implausible = i;
 }
@@ -76,7 +78,8 @@ static inline sph2d__extremes sph2d__join_extremes(sph2d__extremes a, sph2d__ext
                              a.log_density > b.log_density ? a.log_density : b.log_density,
                              a.not_finite < b.not_finite ? a.not_finite : b.not_finite,
                              a.escaped < b.escaped ? a.escaped : b.escaped,
-                             a.implausible < b.implausible ? a.implausible : b.implausible};
+                             a.implausible < b.implausible ? a.implausible : b.implausible,
+                             a.left < b.left ? a.left : b.left};
 }
 
 #endif

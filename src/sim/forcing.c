@@ -75,6 +75,7 @@ void sph2d__sim_steer(sph2d_sim *sim)
 {
     const sph2d__steering by = steering_of(&sim->record);
     set_forces(sim, &by, sim->record.time);
+    sim->momentum_kept = 0;
 }
 
 void sph2d__sim_act(sph2d_sim *sim)

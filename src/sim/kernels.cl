@@ -145,12 +145,14 @@ __kernel void reorder(ARGUMENTS)
 /* ---- advection --------------------------------------------------------------------------------------------------- */
 
 /* Notes what a wall did to a particle, for loads; beyond the room that there is it is counted alone. */
-static inline void note_stops(__global uchar *arena, const sph2d__advection *with, sph2d_vec2 at, const sph2d__stops *stops)
+static inline void note_stops(__global uchar *arena, const sph2d__advection *with, sph2d_vec2 at,
+                              const sph2d__stops *stops, sph2d__events *met)
 {
     __global uint32_t *counter = BLOCK(uint32_t, with->contact_count);
     __global sph2d__contact *list = BLOCK(sph2d__contact, with->contacts);
     for (int k = 0; with->noted && k < stops->count; ++k) {
         const uint32_t n = atomic_inc(counter);
+        ++met->noted;
         if (n < with->contact_room)
             list[n] = (sph2d__contact){at, stops->items[k].change, stops->items[k].wall};
     }
@@ -175,7 +177,7 @@ static inline void advect_one(__global uchar *arena, const sph2d__system *s, con
     int hits = sph2d__barrier_sweep(&walls, from, &to, &v, &stops);
     if (hits > 0) {
         met->stopped += sph2d__quanta_between(s, with->quantum, who, free, (sph2d__end){to, v});
-        note_stops(arena, with, from, &stops);
+        note_stops(arena, with, from, &stops, met);
     }
     if (sph2d__wrap_end(&s->fluid_cells.period, &from, &to)) {
         const sph2d__end before = {to, v};
@@ -183,7 +185,7 @@ static inline void advect_one(__global uchar *arena, const sph2d__system *s, con
         const int held = sph2d__barrier_sweep(&walls, from, &to, &v, &stops);
         if (held > 0) {
             met->stopped += sph2d__quanta_between(s, with->quantum, who, before, (sph2d__end){to, v});
-            note_stops(arena, with, from, &stops);
+            note_stops(arena, with, from, &stops, met);
         }
         hits += held;
     }

@@ -78,9 +78,11 @@ void sph2d__momentum_begin(sph2d_sim *sim)
     sim->loads.watched = sim->momentum_watched || is_watched(sim, step + 1);
     if (!sim->momentum_watched)
         return;
-    const sums s = sum(sim, (sph2d_vec2){sim->acting.gravity_x, sim->acting.gravity_y});
-    sim->momentum_before = s.momentum;
-    sim->force_before = s.force;
+    if (sim->momentum_kept != step || sim->momentum_changed) {
+        const sums s = sum(sim, (sph2d_vec2){sim->acting.gravity_x, sim->acting.gravity_y});
+        sim->momentum_before = s.momentum;
+        sim->force_before = s.force;
+    }
     sim->loads.states[sim->loads.count].impulse = (sph2d__pull){0, 0, 0};
 }
 
@@ -112,6 +114,9 @@ void sph2d__momentum_end(sph2d_sim *sim, double dt)
         book(&r->momentum_error_y, &r->momentum_rate_y, y / dt, span);
         r->momentum_time = now;
     }
+    sim->momentum_before = s.momentum;
+    sim->force_before = s.force;
+    sim->momentum_kept = sim->world.scene.absorber_count == 0 ? r->steps + 2 : 0; /* this one is not counted yet */
     r->momentum_moved = fmax(r->momentum_moved, s.moved);
     r->momentum_worst = fmax(r->momentum_worst, hypot(r->momentum_error_x, r->momentum_error_y));
 }

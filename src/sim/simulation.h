@@ -56,21 +56,23 @@ struct sph2d_sim {
     sph2d__ids *wall_ids;                     /**< of each wall but sides, for which it is 0 to 0 */
     sph2d__loads loads;                       /**< forces on walls that probes measure */
     sph2d_vec2 momentum_before, force_before; /**< at the start of the step ... */
-    bool momentum_watched;                    /**< ... whose momentum is balanced ... */
-    bool momentum_changed;                    /**< ... and before which particles came or went */
-    sph2d__bodies bodies;                     /**< that the liquid moves */
-    sph2d__openings openings;                 /**< through which liquid flows in and out */
-    sph2d__outlines outlines;                 /**< of walls and bodies, as they are now */
-    sph2d__solids solids;                     /**< the walls as they are when the liquid is placed */
-    sph2d__point_force *points;               /**< capacity: every interaction and the pointer */
-    uint64_t *source_rows;                    /**< rows that each source has emitted */
-    uint64_t *output_counts;                  /**< outputs written: snapshots, frames, then each probe */
-    double *gauges;                           /**< of each probe: the pressure on its face, and its reading [Pa] */
-    bool gauges_lag;                          /**< whether a gauge has a rise time */
+    uint64_t momentum_kept;     /**< of which step they are known from the end of the one before; 0: of none */
+    bool momentum_watched;      /**< ... whose momentum is balanced ... */
+    bool momentum_changed;      /**< ... and before which particles came or went */
+    sph2d__bodies bodies;       /**< that the liquid moves */
+    sph2d__openings openings;   /**< through which liquid flows in and out */
+    sph2d__outlines outlines;   /**< of walls and bodies, as they are now */
+    sph2d__solids solids;       /**< the walls as they are when the liquid is placed */
+    sph2d__point_force *points; /**< capacity: every interaction and the pointer */
+    uint64_t *source_rows;      /**< rows that each source has emitted */
+    uint64_t *output_counts;    /**< outputs written: snapshots, frames, then each probe */
+    double *gauges;             /**< of each probe: the pressure on its face, and its reading [Pa] */
+    bool gauges_lag;            /**< whether a gauge has a rise time */
     sph2d__tracers tracers;
     sph2d__contact *contacts; /**< on a device: what walls did to particles in a step, for loads ... */
     uint32_t *contact_count;  /**< ... and how many they are ... */
     uint32_t contact_room;    /**< ... for which there is room */
+    bool none_left;           /**< the last step is known to have left no particle beyond an open side */
     unsigned char *to_remove; /**< flags of particles to remove */
     size_t to_remove_capacity;
 
