@@ -250,7 +250,8 @@ START_TEST(a_blade_that_turns_sweeps_arcs)
 {
     sph2d_motion motion = {.rate = SPH2D__PI};
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){0});
-    sph2d__moving blade = {.course = sph2d__course_of(&motion, &nowhere, NULL)};
+    sph2d__pose poses[SPH2D__MOST_CHORDS + 1];
+    sph2d__moving blade = {.course = sph2d__course_of(&motion, &nowhere, NULL), .poses = poses};
     ck_assert(sph2d__barrier_add(&blade.barrier, (sph2d__segment){{0, 0}, {1, 0}}, &memory));
     ck_assert(sph2d__barrier_build(&blade.barrier, 0.2, 0.01, &memory));
     sph2d__moving_start(&blade, NULL, NULL);
@@ -277,7 +278,8 @@ START_TEST(a_wall_that_moves_takes_a_particle_along)
     sph2d_pose_point way[] = {{.t = 0, .x = 0, .y = 0}, {.t = 1, .x = 1, .y = 0}};
     sph2d_motion motion = {.path = {way, 2}};
     sph2d__memory memory = sph2d__memory_from((sph2d_allocator){0});
-    sph2d__moving wall = {.course = sph2d__course_of(&motion, &nowhere, NULL)};
+    sph2d__pose poses[SPH2D__MOST_CHORDS + 1];
+    sph2d__moving wall = {.course = sph2d__course_of(&motion, &nowhere, NULL), .poses = poses};
     ck_assert(sph2d__barrier_add(&wall.barrier, (sph2d__segment){{0, -1}, {0, 1}}, &memory));
     ck_assert(sph2d__barrier_build(&wall.barrier, 0.5, 0.01, &memory));
     sph2d__moving_set_drift(&wall, 0.25, 0.5);

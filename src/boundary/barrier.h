@@ -9,6 +9,7 @@
 
 #include "base/address.h"
 #include "base/memory.h"
+#include "scene/pose.h"
 #include "scene/shape.h"
 
 /* A particle in a corner slides along one wall and meets the next; after so many hits it stays where it was. */
@@ -85,6 +86,18 @@ static inline int sph2d__barrier_sweep(const sph2d__barrier *barrier, sph2d_vec2
 {
     return sph2d__barrier_far(barrier, from, *to) ? 0 : sph2d__barrier_resolve(barrier, from, to, v, stops);
 }
+
+/** The way of a barrier that moves: it is straight from pose to pose, of which there are chords + 1. */
+enum { SPH2D__MOST_CHORDS = 64 };
+typedef struct sph2d__drift {
+    SPH2D__ARRAY const sph2d__pose *poses;
+    int chords;
+    int wall; /**< its number (scene/world.h) */
+    sph2d__barrier barrier;
+} sph2d__drift;
+
+/** Keeps a displacement on its side of a barrier that moves, in its frame. Returns the number of hits. */
+int sph2d__drift_sweep(const sph2d__drift *drift, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v);
 
 /** Whether the straight line between two positions crosses a wall. */
 bool sph2d__barrier_crosses(const sph2d__barrier *barrier, sph2d_vec2 from, sph2d_vec2 to);

@@ -65,12 +65,43 @@ sph2d__pose sph2d__moving_at(const sph2d__moving *m, double time)
     return m->rigid ? sph2d__rigid_at(m->rigid, time) : sph2d__course_at(&m->course, time);
 }
 
+/** The pose at a fraction of the drift, with its mean rates. At the end it is that of the drift to the last bit. */
+static sph2d__pose pose_between(const sph2d__moving *m, double part)
+{
+    const sph2d__pose *a = &m->from, *b = &m->to;
+    sph2d__pose pose = part < 1 ? *a : *b;
+    sph2d_vec2 way = {b->displacement.x - a->displacement.x, b->displacement.y - a->displacement.y};
+    double turn = b->angle - a->angle;
+    pose.velocity = (sph2d_vec2){way.x / m->span, way.y / m->span};
+    pose.omega = turn / m->span;
+    if (part <= 0 || part >= 1)
+        return pose;
+    pose.displacement.x += part * way.x;
+    pose.displacement.y += part * way.y;
+    pose.angle += part * turn;
+    pose.cosine = cos(pose.angle);
+    pose.sine = sin(pose.angle);
+    return pose;
+}
+
+/** Sets the poses of the drift. */
+static void set_poses(sph2d__moving *m)
+{
+    const double turn = fabs(m->to.angle - m->from.angle);
+    const int wanted = (int)fmin(ceil(turn / SPH2D__LARGEST_TURN), SPH2D__MOST_CHORDS),
+              chords = wanted > 1 ? wanted : 1;
+    for (int k = 0; k <= chords; ++k)
+        m->poses[k] = pose_between(m, k < chords ? (double)k / chords : 1);
+    m->drift = (sph2d__drift){m->poses, chords, m->number, m->barrier};
+}
+
 void sph2d__moving_set_drift(sph2d__moving *m, double from, double to)
 {
     m->from = sph2d__moving_at(m, from);
     m->to = sph2d__moving_at(m, to);
     m->span = to - from;
     m->swept = swept_box(m);
+    set_poses(m);
 }
 
 bool sph2d__moving_far_from(const sph2d__moving *m, sph2d_vec2 low, sph2d_vec2 high, double distance)
@@ -104,63 +135,9 @@ void sph2d__moving_place(const sph2d__moving *m, double time, sph2d__store *wall
     }
 }
 
-/* ---- sweeps ------------------------------------------------------------------------------------------------------ */
-
-/** The pose at a fraction of the drift, with its mean rates. At the end it is that of the drift to the last bit. */
-static sph2d__pose pose_between(const sph2d__moving *m, double part)
-{
-    const sph2d__pose *a = &m->from, *b = &m->to;
-    sph2d__pose pose = part < 1 ? *a : *b;
-    sph2d_vec2 way = {b->displacement.x - a->displacement.x, b->displacement.y - a->displacement.y};
-    double turn = b->angle - a->angle;
-    pose.velocity = (sph2d_vec2){way.x / m->span, way.y / m->span};
-    pose.omega = turn / m->span;
-    if (part <= 0 || part >= 1)
-        return pose;
-    pose.displacement.x += part * way.x;
-    pose.displacement.y += part * way.y;
-    pose.angle += part * turn;
-    pose.cosine = cos(pose.angle);
-    pose.sine = sin(pose.angle);
-    return pose;
-}
-
-/** Sweeps a part of a displacement between two poses. */
-static int sweep_chord(const sph2d__moving *m, const sph2d__pose *a, const sph2d__pose *b, sph2d_vec2 from,
-                       sph2d_vec2 *to, sph2d_vec2 *v)
-{
-    sph2d_vec2 start = sph2d__pose_invert(a, from), end = sph2d__pose_invert(b, *to);
-    sph2d_vec2 wall = sph2d__pose_velocity(b, *to);
-    sph2d_vec2 relative = sph2d__pose_turn_back(b, (sph2d_vec2){v->x - wall.x, v->y - wall.y});
-    int hits = sph2d__barrier_sweep(&m->barrier, start, &end, &relative, NULL);
-    if (hits == 0)
-        return 0;
-    *to = sph2d__pose_apply(b, end);
-    wall = sph2d__pose_velocity(b, *to);
-    relative = sph2d__pose_turn(b, relative);
-    *v = (sph2d_vec2){relative.x + wall.x, relative.y + wall.y};
-    return hits;
-}
-
 int sph2d__moving_sweep(const sph2d__moving *m, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
 {
-    double turn = fabs(m->to.angle - m->from.angle);
-    int chords = (int)fmin(ceil(turn / SPH2D__LARGEST_TURN), SPH2D__MOST_CHORDS), hits = 0;
-    sph2d__pose a = pose_between(m, 0);
-    if (chords <= 1) {
-        sph2d__pose b = pose_between(m, 1);
-        return sweep_chord(m, &a, &b, from, to, v);
-    }
-    sph2d_vec2 step = {(to->x - from.x) / chords, (to->y - from.y) / chords}, at = from;
-    for (int k = 1; k <= chords; ++k) {
-        sph2d__pose b = pose_between(m, k < chords ? (double)k / chords : 1);
-        sph2d_vec2 next = k < chords || hits > 0 ? (sph2d_vec2){at.x + step.x, at.y + step.y} : *to;
-        hits += sweep_chord(m, &a, &b, at, &next, v);
-        at = next;
-        a = b;
-    }
-    *to = at;
-    return hits;
+    return sph2d__drift_sweep(&m->drift, from, to, v);
 }
 
 bool sph2d__moving_crosses(const sph2d__moving *m, sph2d_vec2 from, sph2d_vec2 to)

@@ -18,7 +18,6 @@
 
 /** The largest turn of one chord [rad], and the largest number of chords. */
 #define SPH2D__LARGEST_TURN 0.05
-enum { SPH2D__MOST_CHORDS = 64 };
 
 typedef struct sph2d__moving {
     sph2d__course course;      /**< of an obstacle with a motion */
@@ -31,6 +30,8 @@ typedef struct sph2d__moving {
     sph2d__barrier barrier;    /**< in the obstacle's initial position */
     sph2d_box bounds;          /**< of the barrier */
     sph2d__pose from, to;      /**< at the start and end of the present or last drift */
+    sph2d__drift drift;        /**< its poses in it, and the barrier */
+    sph2d__pose *poses;        /**< room for these: SPH2D__MOST_CHORDS + 1 */
     double span;               /**< its length; negative in the stages of a scheme that moves back in time [s] */
     sph2d_box swept;           /**< around all that the barrier sweeps in it, with its clearance */
 } sph2d__moving;

@@ -141,3 +141,36 @@ SPH2D__LINKED int sph2d__barrier_resolve(const sph2d__barrier *barrier, sph2d_ve
     } while (find_first_hit(barrier, from, *to, &m));
     return hits;
 }
+
+/** Sweeps a part of a displacement between two poses. */
+static inline int sweep_chord(const sph2d__barrier *barrier, const sph2d__pose *a, const sph2d__pose *b,
+                              sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    sph2d_vec2 start = sph2d__pose_invert(a, from), end = sph2d__pose_invert(b, *to);
+    sph2d_vec2 wall = sph2d__pose_velocity(b, *to);
+    sph2d_vec2 relative = sph2d__pose_turn_back(b, (sph2d_vec2){v->x - wall.x, v->y - wall.y});
+    int hits = sph2d__barrier_sweep(barrier, start, &end, &relative, NULL);
+    if (hits == 0)
+        return 0;
+    *to = sph2d__pose_apply(b, end);
+    wall = sph2d__pose_velocity(b, *to);
+    relative = sph2d__pose_turn(b, relative);
+    *v = (sph2d_vec2){relative.x + wall.x, relative.y + wall.y};
+    return hits;
+}
+
+SPH2D__LINKED int sph2d__drift_sweep(const sph2d__drift *d, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
+{
+    const int chords = d->chords;
+    const sph2d_vec2 step = {(to->x - from.x) / chords, (to->y - from.y) / chords};
+    sph2d_vec2 at = from;
+    int hits = 0;
+    for (int k = 1; k <= chords; ++k) {
+        const sph2d__pose a = d->poses[k - 1], b = d->poses[k];
+        sph2d_vec2 next = k < chords || hits > 0 ? (sph2d_vec2){at.x + step.x, at.y + step.y} : *to;
+        hits += sweep_chord(&d->barrier, &a, &b, at, &next, v);
+        at = next;
+    }
+    *to = at;
+    return hits;
+}

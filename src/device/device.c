@@ -258,6 +258,7 @@ uint64_t sph2d__device_place(sph2d__device *d, const void *host, size_t bytes, s
         d->used += rounded(bytes);
         d->grows = d->grows || d->used > d->arena_bytes;
     }
+    b->owner = owner;
     b->list = d->list;
     return b->offset;
 }
@@ -351,13 +352,15 @@ void sph2d__device_changed(sph2d__device *d, unsigned owners)
 void sph2d__device_changed_on(sph2d__device *d, void *host)
 {
     block *b = entry_of(d, host);
-    b->host_old = b->host != NULL;
+    if (b->host)
+        b->host_old = true;
 }
 
 void sph2d__device_changed_one(sph2d__device *d, void *host)
 {
-    block *b = entry_of(d, host);
-    b->device_old = b->host != NULL;
+    block *b = host ? entry_of(d, host) : NULL;
+    if (b && b->host)
+        b->device_old = true;
 }
 
 uint64_t sph2d__device_spare(sph2d__device *d, const void *host)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /** @file device_scene.c
  *  Which scenes devices take. */
-#include "scene/motion.h"
 #include "sph2d/device.h"
 
 static bool is_known(const sph2d_method_options *method)
@@ -26,14 +25,6 @@ static bool any_smooth(const sph2d_scene *scene)
     return any;
 }
 
-static bool any_moves(const sph2d_scene *scene)
-{
-    bool any = false;
-    for (size_t i = 0; i < scene->obstacle_count; ++i)
-        any = any || sph2d__motion_moves(&scene->obstacles[i].motion);
-    return any;
-}
-
 const char *sph2d_device_refuses(const sph2d_scene *scene)
 {
     if (!scene)
@@ -42,8 +33,6 @@ const char *sph2d_device_refuses(const sph2d_scene *scene)
         return "devices know methods muller and wcsph alone";
     if (scene->body_count > 0)
         return "devices do not know bodies";
-    if (any_moves(scene))
-        return "devices do not know obstacles that move";
     if (any_reflects(scene))
         return "devices do not know walls that reflect";
     if (scene->opening_count > 0)

@@ -8,11 +8,34 @@
 #include "sim/device_steps.h"
 #include "sim/stages.h"
 
+/** The moving obstacles that a batch of particles can meet: those that `count` indices name, or all of them. */
+enum { MOST_NEAR = 16 };
+typedef struct near_obstacles {
+    bool all;
+    size_t count, items[MOST_NEAR];
+} near_obstacles;
+
+/** What a particle may meet: advect_one.h. */
+typedef struct passage {
+    const sph2d__system *system;
+    const sph2d__barrier *walls;
+    double quantum;
+    bool holds;
+    sph2d_sim *sim;
+    const near_obstacles *near;
+} passage;
+
+static void note_contact(const passage *p, sph2d__events *met, int wall, sph2d_vec2 at, sph2d_vec2 change, double work)
+{
+    (void)met;
+    sph2d__loads_contact(p->sim, wall, at, change, work);
+}
+
 /** Reflects a velocity at the nearest reflecting boundary particle within one spacing, if the particle approaches it:
  *  the component along the line between the two is reversed and damped. */
-static bool reflect(sph2d_sim *sim, sph2d_vec2 p, sph2d_vec2 *v)
+static bool reflect(const passage *by, sph2d_vec2 p, sph2d_vec2 *v)
 {
-    const sph2d__system *s = &sim->system;
+    const sph2d__system *s = by->system;
     uint32_t cell = sph2d__cells_find(&s->wall_cells, p.x, p.y);
     if (cell == UINT32_MAX)
         return false;
@@ -39,7 +62,7 @@ static bool reflect(sph2d_sim *sim, sph2d_vec2 p, sph2d_vec2 *v)
     double change = (1 + s->walls.bounce[nearest]) * along;
     v->x -= change * nx;
     v->y -= change * ny;
-    sph2d__loads_reflect(sim, nearest, p, (sph2d_vec2){-change * nx, -change * ny});
+    sph2d__loads_reflect(by->sim, nearest, p, (sph2d_vec2){-change * nx, -change * ny});
     return true;
 }
 
@@ -52,10 +75,11 @@ static sph2d_vec2 to_image(const sph2d_sim *sim, const sph2d__moving *moving, sp
                         p.y + sph2d__period_nearest(arm.y, period->length_y) - arm.y};
 }
 
-static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d__kicked k, sph2d_vec2 from, sph2d_vec2 *to,
-                          sph2d_vec2 *v, double *to_bodies)
+static uint64_t sweep_one(const passage *p, sph2d__events *met, const sph2d__moving *moving, sph2d__kicked k,
+                          sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v, double *to_bodies)
 {
-    const sph2d__system *s = &sim->system;
+    sph2d_sim *sim = p->sim;
+    const sph2d__system *s = p->system;
     sph2d_vec2 at = *to, before = *v, shift = {0, 0};
     if (moving->rigid) {
         sph2d_vec2 image = to_image(sim, moving, from);
@@ -74,94 +98,24 @@ static uint64_t sweep_one(sph2d_sim *sim, const sph2d__moving *moving, sph2d__ki
         sph2d__bodies_strike(sim, moving, from, (sph2d_vec2){v->x - before.x, v->y - before.y});
     }
     if (hits > 0 && sph2d__loads_wanted(sim))
-        sph2d__loads_contact(sim, moving->number, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
-                             sph2d__energy_kicked(s, k, (sph2d__end){*to, *v}) -
-                                 sph2d__energy_kicked(s, k, (sph2d__end){at, before}));
+        note_contact(p, met, moving->number, from, (sph2d_vec2){v->x - before.x, v->y - before.y},
+                     sph2d__energy_kicked(s, k, (sph2d__end){*to, *v}) -
+                         sph2d__energy_kicked(s, k, (sph2d__end){at, before}));
     return (uint64_t)hits;
 }
 
-/** The moving obstacles that a batch of particles can meet: those that `count` indices name, or all of them. */
-enum { MOST_NEAR = 16 };
-typedef struct near_obstacles {
-    bool all;
-    size_t count, items[MOST_NEAR];
-} near_obstacles;
-
 /** Keeps a displacement on its side of moving obstacles. */
-static uint64_t sweep_moving(sph2d_sim *sim, const near_obstacles *near, sph2d__kicked who, sph2d_vec2 from,
-                             sph2d_vec2 *to, sph2d_vec2 *v, double *to_bodies)
+static uint64_t sweep_moving(const passage *p, sph2d__events *met, sph2d__kicked who, sph2d_vec2 from, sph2d_vec2 *to,
+                             sph2d_vec2 *v, double *to_bodies)
 {
+    const near_obstacles *near = p->near;
     uint64_t hits = 0;
-    for (size_t k = 0; near->all ? k < sim->moving_count : k < near->count; ++k)
-        hits += sweep_one(sim, &sim->moving[near->all ? k : near->items[k]], who, from, to, v, to_bodies);
+    for (size_t k = 0; near->all ? k < p->sim->moving_count : k < near->count; ++k)
+        hits += sweep_one(p, met, &p->sim->moving[near->all ? k : near->items[k]], who, from, to, v, to_bodies);
     return hits;
 }
 
-/** Keeps a displacement on its side of every wall at rest. */
-static uint64_t sweep_fixed(sph2d_sim *sim, sph2d_vec2 from, sph2d_vec2 *to, sph2d_vec2 *v)
-{
-    const bool wanted = sph2d__loads_wanted(sim);
-    sph2d__stops stops;
-    stops.count = 0;
-    int hits = sph2d__barrier_sweep(&sim->barrier, from, to, v, wanted ? &stops : NULL);
-    for (int k = 0; k < stops.count; ++k)
-        sph2d__loads_contact(sim, stops.items[k].wall, from, stops.items[k].change, 0);
-    return (uint64_t)hits;
-}
-
-/** Moves one particle that may meet a wall or a periodic side. */
-static void advect_one(sph2d_sim *sim, const near_obstacles *near, const sph2d__batch *batch, size_t k,
-                       sph2d__events *met)
-{
-    const sph2d__system *s = &sim->system;
-    const sph2d__store *f = &s->fluid;
-    const double quantum = sph2d__sim_energy_quantum(sim);
-    const size_t i = batch->first + k;
-    const sph2d__kicked who = {i, batch->kick};
-    double dx = batch->dx[k], dy = batch->dy[k];
-    sph2d_vec2 from = {f->x[i], f->y[i]}, v = {batch->vx[k], batch->vy[k]};
-    sph2d__end free = {{from.x + dx, from.y + dy}, v};
-    uint64_t reflected = 0, stopped, pushed = 0;
-    if (sim->system.walls_reflect) {
-        sph2d_vec2 before = v;
-        if (reflect(sim, from, &v)) {
-            ++reflected;
-            double dt = sim->system.step;
-            dx += dt * (v.x - before.x);
-            dy += dt * (v.y - before.y);
-        }
-    }
-    sph2d_vec2 to = {from.x + dx, from.y + dy};
-    stopped = sweep_fixed(sim, from, &to, &v);
-    if (reflected + stopped > 0)
-        met->stopped += sph2d__quanta_between(s, quantum, who, free, (sph2d__end){to, v});
-    if (near->all || near->count > 0) {
-        sph2d__end before = {to, v};
-        double to_bodies = 0;
-        pushed = sweep_moving(sim, near, who, from, &to, &v, &to_bodies);
-        if (pushed > 0 && sim->method->walls_hold)
-            stopped += sweep_fixed(sim, from, &to, &v);
-        if (pushed > 0) {
-            int64_t bodies = sph2d__quanta_of(quantum, to_bodies);
-            met->driven += sph2d__quanta_between(s, quantum, who, (sph2d__end){to, v}, before) - bodies;
-            met->stopped -= bodies;
-        }
-    }
-    if (sph2d__wrap_end(&s->fluid_cells.period, &from, &to)) {
-        sph2d__end before = {to, v};
-        uint64_t held = sweep_fixed(sim, from, &to, &v);
-        if (held > 0)
-            met->stopped += sph2d__quanta_between(s, quantum, who, before, (sph2d__end){to, v});
-        stopped += held;
-    }
-    met->reflections += reflected;
-    met->hits += stopped + pushed;
-    met->not_finite += isfinite(to.x + to.y + v.x + v.y) ? 0 : 1;
-    f->x[i] = to.x;
-    f->y[i] = to.y;
-    f->vx[i] = v.x;
-    f->vy[i] = v.y;
-}
+#include "sim/advect_one.h"
 
 /** Around the ends of a batch's displacements, which are no longer than `longest`. */
 typedef struct reach {
@@ -247,8 +201,12 @@ static void advect_batch(sph2d_sim *sim, double shift, const sph2d__batch *batch
         advect_free(&sim->system.fluid, batch);
         return;
     }
-    for (size_t k = 0; k < batch->count; ++k)
-        advect_one(sim, &near, batch, k, met);
+    const passage by = {&sim->system, &sim->barrier, sph2d__sim_energy_quantum(sim), sim->method->walls_hold,
+                        sim,          &near};
+    for (size_t k = 0; k < batch->count; ++k) {
+        const sph2d__way way = {batch->dx[k], batch->dy[k], {batch->vx[k], batch->vy[k]}, batch->kick, 0};
+        advect_one(&by, batch->first + k, way, met);
+    }
 }
 
 static double shift_of_walls(const sph2d_sim *sim)

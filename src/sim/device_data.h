@@ -39,13 +39,17 @@ typedef struct sph2d__reordered {
 /** What a wall did to a particle. */
 typedef struct sph2d__contact {
     sph2d_vec2 at, change; /**< [m], [m/s] */
+    double work;           /**< by a wall that moves [J/m] */
     int wall;
 } sph2d__contact;
 
-/** An advection in which only walls at rest are in the way. */
+/** An advection without bodies and walls that reflect. */
 typedef struct sph2d__advection {
     double dt, quantum;
     sph2d__barrier walls;
+    uint64_t drifts;      /**< obstacles that move (sph2d__drift) ... */
+    uint32_t drift_count; /**< ... so many */
+    int holds;            /**< sph2d__method.walls_hold */
     uint64_t contacts,
         contact_count; /**< the list of contacts, and how many there are, which may be more than its room */
     uint32_t contact_room;

@@ -13,26 +13,42 @@
 /* Room for contacts with walls in one step: half of the particles and so many more. */
 enum { CONTACTS = 65536 };
 
+static void lend_block(sph2d__system *s, const void *block, size_t bytes)
+{
+    if (block && bytes > 0)
+        s->lent[s->lent_count++] = (sph2d__kernel_block){block, bytes};
+}
+
+static void lend_barrier(sph2d__system *s, const sph2d__barrier *b)
+{
+    lend_block(s, b->segments, b->capacity * sizeof *b->segments);
+    lend_block(s, b->start, b->start_capacity * sizeof *b->start);
+    lend_block(s, b->items, b->item_capacity * sizeof *b->items);
+    lend_block(s, b->near, b->start_capacity > 0 ? b->start_capacity - 1 : 0);
+}
+
 static sph2d_status lend(sph2d_sim *sim)
 {
+    enum { OWN = 4, OF_BARRIER = 4 };
     sph2d__system *s = &sim->system;
-    const sph2d__barrier *b = &sim->barrier;
+    const size_t moving = sim->moving_count;
     sim->contact_room = (uint32_t)(s->fluid.count / 2 + CONTACTS);
     sim->contacts = sph2d__arena_alloc(&sim->arena, &sim->memory, sim->contact_room, sizeof *sim->contacts);
     sim->contact_count = sph2d__arena_alloc(&sim->arena, &sim->memory, 16, sizeof *sim->contact_count);
-    if (!sim->contacts || !sim->contact_count)
+    sim->drifts = sph2d__arena_alloc(&sim->arena, &sim->memory, moving + 1, sizeof *sim->drifts);
+    s->lent =
+        sph2d__arena_alloc(&sim->arena, &sim->memory, OWN + OF_BARRIER + (OF_BARRIER + 1) * moving, sizeof *s->lent);
+    if (!sim->contacts || !sim->contact_count || !sim->drifts || !s->lent)
         return SPH2D_NOMEM;
-    const sph2d__kernel_block all[] = {{b->segments, b->capacity * sizeof *b->segments},
-                                       {b->start, b->start_capacity * sizeof *b->start},
-                                       {b->items, b->item_capacity * sizeof *b->items},
-                                       {b->near, b->start_capacity > 0 ? b->start_capacity - 1 : 0},
-                                       {sim->contacts, sim->contact_room * sizeof *sim->contacts},
-                                       {sim->contact_count, sizeof *sim->contact_count},
-                                       {sim->loads.forces, (s->walls.count + 1) * sizeof *sim->loads.forces}};
-    _Static_assert(sizeof all / sizeof *all <= SPH2D__KERNEL_BLOCKS, "the system has room for them");
-    for (size_t k = 0; k < sizeof all / sizeof *all; ++k)
-        if (all[k].block)
-            s->lent[s->lent_count++] = all[k];
+    lend_block(s, sim->contacts, sim->contact_room * sizeof *sim->contacts);
+    lend_block(s, sim->contact_count, sizeof *sim->contact_count);
+    lend_block(s, sim->loads.forces, (s->walls.count + 1) * sizeof *sim->loads.forces);
+    lend_block(s, sim->drifts, moving * sizeof *sim->drifts);
+    lend_barrier(s, &sim->barrier);
+    for (size_t k = 0; k < moving; ++k) {
+        lend_barrier(s, &sim->moving[k].barrier);
+        lend_block(s, sim->moving[k].poses, (SPH2D__MOST_CHORDS + 1) * sizeof *sim->moving[k].poses);
+    }
     return SPH2D_OK;
 }
 
@@ -156,27 +172,60 @@ static void take_contacts(sph2d_sim *sim, uint64_t count)
     if (count > sim->contact_room)
         sph2d__device_give_up(d, "more particles met walls in one step than its list holds");
     for (uint64_t k = 0; k < count && k < sim->contact_room; ++k)
-        sph2d__loads_contact(sim, sim->contacts[k].wall, sim->contacts[k].at, sim->contacts[k].change, 0);
+        sph2d__loads_contact(sim, sim->contacts[k].wall, sim->contacts[k].at, sim->contacts[k].change,
+                             sim->contacts[k].work);
     *sim->contact_count = 0;
     sph2d__device_changed_one(d, sim->contact_count);
+}
+
+/** An address in a struct becomes the offset of its block. */
+static void to_offset(const sph2d__system *s, void *slot)
+{
+    void *block;
+    memcpy(&block, slot, sizeof block);
+    const uint64_t offset = block ? sph2d__device_offset(s, block) : 0;
+    memcpy(slot, &offset, sizeof offset);
+}
+
+static sph2d__barrier offsets_of(const sph2d__system *s, const sph2d__barrier *barrier)
+{
+    sph2d__barrier b = *barrier;
+    to_offset(s, &b.segments);
+    to_offset(s, &b.start);
+    to_offset(s, &b.items);
+    to_offset(s, &b.near);
+    return b;
+}
+
+/** Sends the ways of obstacles that move. */
+static void send_drifts(sph2d_sim *sim)
+{
+    const sph2d__system *s = &sim->system;
+    for (size_t k = 0; k < sim->moving_count; ++k) {
+        sph2d__drift drift = sim->moving[k].drift;
+        drift.barrier = offsets_of(s, &drift.barrier);
+        to_offset(s, &drift.poses);
+        sim->drifts[k] = drift;
+        sph2d__device_changed_one(s->device, sim->moving[k].poses);
+    }
+    if (sim->moving_count > 0)
+        sph2d__device_changed_one(s->device, sim->drifts);
 }
 
 sph2d_status sph2d__device_advect(sph2d_sim *sim, double dt)
 {
     const sph2d__system *s = &sim->system;
-    sph2d__advection with = {.dt = dt,
-                             .quantum = sph2d__sim_energy_quantum(sim),
-                             .walls = sim->barrier,
-                             .contacts = sph2d__device_offset(s, sim->contacts),
-                             .contact_count = sph2d__device_offset(s, sim->contact_count),
-                             .contact_room = sim->contact_room,
-                             .noted = sph2d__loads_wanted(sim)};
-    const uint64_t offsets[] = {sph2d__device_offset(s, with.walls.segments), sph2d__device_offset(s, with.walls.start),
-                                sph2d__device_offset(s, with.walls.items), sph2d__device_offset(s, with.walls.near)};
-    memcpy(&with.walls.segments, &offsets[0], sizeof *offsets);
-    memcpy(&with.walls.start, &offsets[1], sizeof *offsets);
-    memcpy(&with.walls.items, &offsets[2], sizeof *offsets);
-    memcpy(&with.walls.near, &offsets[3], sizeof *offsets);
+    send_drifts(sim);
+    const sph2d__advection with = {.dt = dt,
+                                   .quantum = sph2d__sim_energy_quantum(sim),
+                                   .walls = offsets_of(s, &sim->barrier),
+                                   .drifts = sph2d__device_offset(s, sim->drifts),
+                                   .drift_count = (uint32_t)sim->moving_count,
+                                   .holds = sim->method->walls_hold,
+                                   .contacts = sph2d__device_offset(s, sim->contacts),
+                                   .contact_count = sph2d__device_offset(s, sim->contact_count),
+                                   .contact_room = sim->contact_room,
+                                   .noted = sph2d__loads_wanted(sim)};
     const sph2d__events *parts = sph2d__device_written_by(s, "advect", &with, sizeof with, sizeof *parts);
     sph2d__events all = {0};
     for (size_t k = 0; parts && k < sph2d__slabs(s->fluid.count); ++k)

@@ -144,58 +144,63 @@ __kernel void reorder(ARGUMENTS)
 
 /* ---- advection --------------------------------------------------------------------------------------------------- */
 
-/* Notes what a wall did to a particle, for loads; beyond the room that there is it is counted alone. */
-static inline void note_stops(__global uchar *arena, const sph2d__advection *with, sph2d_vec2 at,
-                              const sph2d__stops *stops, sph2d__events *met)
+/* What a particle may meet: advect_one.h. */
+typedef struct passage {
+    const sph2d__system *system;
+    const sph2d__barrier *walls;
+    double quantum;
+    bool holds;
+    __global uchar *arena;
+    const sph2d__advection *with;
+} passage;
+
+static inline sph2d__barrier placed_barrier(__global uchar *arena, sph2d__barrier b)
 {
-    __global uint32_t *counter = BLOCK(uint32_t, with->contact_count);
-    __global sph2d__contact *list = BLOCK(sph2d__contact, with->contacts);
-    for (int k = 0; with->noted && k < stops->count; ++k) {
-        const uint32_t n = atomic_inc(counter);
-        ++met->noted;
-        if (n < with->contact_room)
-            list[n] = (sph2d__contact){at, stops->items[k].change, stops->items[k].wall};
-    }
+    b.segments = BLOCK(sph2d__piece, b.segments);
+    b.start = BLOCK(uint32_t, b.start);
+    b.items = BLOCK(uint32_t, b.items);
+    b.near = BLOCK(unsigned char, b.near);
+    return b;
 }
 
-/* Moves particle i as sim/advect.c does it, where only walls at rest are in its way. */
-static inline void advect_one(__global uchar *arena, const sph2d__system *s, const sph2d__advection *with, size_t i,
-                              sph2d__way way, sph2d__events *met)
+/* Lists it for loads; beyond the room that there is it is counted alone. */
+static inline void note_contact(const passage *p, sph2d__events *met, int wall, sph2d_vec2 at, sph2d_vec2 change, double work)
 {
-    const sph2d__store *f = &s->fluid;
-    const sph2d__kicked who = {i, way.kick};
-    sph2d_vec2 from = {f->x[i], f->y[i]}, v = way.v;
-    const sph2d__end free = {{from.x + way.dx, from.y + way.dy}, v};
-    sph2d_vec2 to = free.at;
-    sph2d__barrier walls = with->walls;
-    walls.segments = BLOCK(sph2d__piece, walls.segments);
-    walls.start = BLOCK(uint32_t, walls.start);
-    walls.items = BLOCK(uint32_t, walls.items);
-    walls.near = BLOCK(unsigned char, walls.near);
-    sph2d__stops stops;
-    stops.count = 0;
-    int hits = sph2d__barrier_sweep(&walls, from, &to, &v, &stops);
-    if (hits > 0) {
-        met->stopped += sph2d__quanta_between(s, with->quantum, who, free, (sph2d__end){to, v});
-        note_stops(arena, with, from, &stops, met);
-    }
-    if (sph2d__wrap_end(&s->fluid_cells.period, &from, &to)) {
-        const sph2d__end before = {to, v};
-        stops.count = 0;
-        const int held = sph2d__barrier_sweep(&walls, from, &to, &v, &stops);
-        if (held > 0) {
-            met->stopped += sph2d__quanta_between(s, with->quantum, who, before, (sph2d__end){to, v});
-            note_stops(arena, with, from, &stops, met);
-        }
-        hits += held;
-    }
-    met->hits += (uint64_t)hits;
-    met->not_finite += isfinite(to.x + to.y + v.x + v.y) ? 0 : 1;
-    f->x[i] = to.x;
-    f->y[i] = to.y;
-    f->vx[i] = v.x;
-    f->vy[i] = v.y;
+    __global uchar *arena = p->arena;
+    if (!p->with->noted)
+        return;
+    const uint32_t n = atomic_inc(BLOCK(uint32_t, p->with->contact_count));
+    ++met->noted;
+    if (n < p->with->contact_room)
+        BLOCK(sph2d__contact, p->with->contacts)[n] = (sph2d__contact){at, change, work, wall};
 }
+
+static inline bool reflect(const passage *p, sph2d_vec2 at, sph2d_vec2 *v)
+{
+    return false;
+}
+
+static inline uint64_t sweep_moving(const passage *p, sph2d__events *met, sph2d__kicked who, sph2d_vec2 from,
+                                    sph2d_vec2 *to, sph2d_vec2 *v, double *to_bodies)
+{
+    __global uchar *arena = p->arena;
+    uint64_t all = 0;
+    for (uint32_t k = 0; k < p->with->drift_count; ++k) {
+        const sph2d__end before = {*to, *v};
+        sph2d__drift drift = BLOCK(const sph2d__drift, p->with->drifts)[k];
+        drift.poses = BLOCK(const sph2d__pose, drift.poses);
+        drift.barrier = placed_barrier(arena, drift.barrier);
+        const int hits = sph2d__drift_sweep(&drift, from, to, v);
+        if (hits > 0 && p->with->noted)
+            note_contact(p, met, drift.wall, from, (sph2d_vec2){v->x - before.v.x, v->y - before.v.y},
+                         sph2d__energy_kicked(p->system, who, (sph2d__end){*to, *v}) -
+                             sph2d__energy_kicked(p->system, who, before));
+        all += (uint64_t)hits;
+    }
+    return all;
+}
+
+#include "sim/advect_one.h"
 
 /* Adds up the events of a group. */
 static inline void add_events(__local sph2d__events *parts, __global uchar *to)
@@ -217,11 +222,13 @@ static inline void add_events(__local sph2d__events *parts, __global uchar *to)
         const size_t i = get_global_id(0);                                                                             \
         SYSTEM                                                                                                         \
         const sph2d__advection with = *(__global const sph2d__advection *)(numbers + own_at);                          \
+        const sph2d__barrier walls = placed_barrier(arena, with.walls);                                                \
+        const passage by = {&s, &walls, with.quantum, with.holds, arena, &with};                                       \
         sph2d__events met = {0};                                                                                       \
         if (i < count) {                                                                                               \
             const sph2d__way way = set(&s, with.dt, i);                                                                \
             met.diffused = sph2d__quanta_of(with.quantum, way.diffused);                                               \
-            advect_one(arena, &s, &with, i, way, &met);                                                                \
+            advect_one(&by, i, way, &met);                                                                             \
             after(&s, with.dt, i);                                                                                     \
         }                                                                                                              \
         parts[get_local_id(0)] = met;                                                                                  \

@@ -55,7 +55,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
     s.neighbours.index = BLOCK(uint32_t, s.neighbours.index);
     s.wall_slips = BLOCK(const unsigned char, s.wall_slips);
     s.tables = BLOCK(sph2d__tables, s.tables);
-    s.wall_spin = 0;
+    s.wall_spin = BLOCK(double, s.wall_spin);
     s.viscosities = 0;
     s.forces.points.items = BLOCK(const sph2d__point_force, s.forces.points.items);
     return s;

@@ -69,6 +69,7 @@ struct sph2d_sim {
     double *gauges;             /**< of each probe: the pressure on its face, and its reading [Pa] */
     bool gauges_lag;            /**< whether a gauge has a rise time */
     sph2d__tracers tracers;
+    sph2d__drift *drifts;     /**< on a device: of obstacles that move, as kernels get them */
     sph2d__contact *contacts; /**< on a device: what walls did to particles in a step, for loads ... */
     uint32_t *contact_count;  /**< ... and how many they are ... */
     uint32_t contact_room;    /**< ... for which there is room */

@@ -178,7 +178,8 @@ static sph2d_status start_motion(sph2d_sim *sim, sph2d__moving *m, const sph2d__
     sph2d_pose_point *points = bends ? sph2d__arena_alloc(&sim->arena, &sim->memory, bends, sizeof *points) : NULL;
     size_t count = (size_t)(m->end_id - m->first_id) + 1;
     sph2d_vec2 *normals = turns ? sph2d__arena_alloc(&sim->arena, &sim->memory, count, sizeof *normals) : NULL;
-    if ((bends && !points) || (turns && !normals))
+    m->poses = sph2d__arena_alloc(&sim->arena, &sim->memory, SPH2D__MOST_CHORDS + 1, sizeof *m->poses);
+    if ((bends && !points) || (turns && !normals) || !m->poses)
         return SPH2D_NOMEM;
     m->wall = wall;
     m->course = sph2d__course_of(&wall->motion, &wall->shape, points);

@@ -63,7 +63,7 @@ static void place_all(const sph2d__system *s, handed *to)
     sph2d__place_block(s, &copy->neighbours.slices, slabs * SPH2D__SLAB * sizeof *n->slices, SPH2D__OF_FLUID);
     sph2d__place_block(s, &copy->neighbours.index, slabs * SPH2D__SLAB * n->each * sizeof *n->index, SPH2D__OF_FLUID);
     sph2d__place_block(s, &copy->tables, sizeof *copy->tables, SPH2D__OF_SCENE);
-    sph2d__place_block(s, &copy->wall_spin, 0, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &copy->wall_spin, s->walls.count * sizeof *s->wall_spin, SPH2D__OF_WALLS);
     sph2d__place_block(s, &copy->viscosities, 0, SPH2D__OF_FLUID);
     sph2d__place_block(s, &copy->wall_slips, s->walls.count, SPH2D__OF_SCENE);
     sph2d__place_block(s, &copy->forces.points.items, copy->points_room, SPH2D__OF_POINTS);
@@ -225,8 +225,11 @@ void sph2d__host_changed_points(const sph2d__system *s)
 
 void sph2d__host_changed_walls(const sph2d__system *s)
 {
-    if (sph2d__is_on_device(s))
-        sph2d__device_changed(s->device, SPH2D__OF_WALLS);
+    if (!sph2d__is_on_device(s))
+        return;
+    with_arrays(s->device, &s->walls, SPH2D__EVERYTHING, sph2d__device_changed_one);
+    sph2d__device_changed_one(s->device, s->wall_cells.start);
+    sph2d__device_changed_one(s->device, s->wall_spin);
 }
 
 void sph2d__host_changed_block(const sph2d__system *s, void *block)

@@ -66,7 +66,6 @@ typedef struct sph2d__kernel_block {
     const void *block;
     size_t bytes;
 } sph2d__kernel_block;
-enum { SPH2D__KERNEL_BLOCKS = 8 };
 
 typedef struct sph2d__system {
     sph2d__store fluid, walls;
@@ -149,7 +148,7 @@ typedef struct sph2d__system {
     sph2d_isa isa;
     const struct sph2d__system *whole; /**< that this is a view of, with other particles as its fluid; NULL: none */
     const struct sph2d__extra *extra;  /**< what the method hands its kernels besides; NULL: nothing */
-    sph2d__kernel_block lent[SPH2D__KERNEL_BLOCKS]; /**< what kernels read besides */
+    sph2d__kernel_block *lent;         /**< what kernels read besides */
     size_t lent_count;
 } sph2d__system;
 

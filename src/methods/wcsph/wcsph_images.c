@@ -54,6 +54,8 @@ void sph2d__wall_parts_find(sph2d__system *s)
     const sph2d__sides *d = &s->frozen->sides;
     for (size_t b = 0; b < w->count; ++b)
         s->frozen->part[b] = is_beyond(d, w->x[b], w->y[b]) ? behind_side(s, b) : 1;
+    if (sph2d__is_on_device(s))
+        sph2d__host_changed_block(s, s->frozen->part);
 }
 
 /* ---- images ------------------------------------------------------------------------------------------------------ */
