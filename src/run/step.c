@@ -75,7 +75,10 @@ static sph2d_status take_step(sph2d_sim *sim, sph2d_report *report)
     sph2d__sim_absorb(sim, dt);
     sph2d__outlines_move(sim);
     advance_clock(sim, dt);
-    if (!sph2d__sim_measure(sim, report))
+    const bool good = sph2d__sim_measure(sim, report);
+    if (sph2d__device_check(sim, report) != SPH2D_OK)
+        return halt(sim, SPH2D_DEVICE, report);
+    if (!good)
         return halt(sim, SPH2D_GUARD, report);
     sph2d__sim_sample(sim);
     sph2d__sim_read_gauges(sim, dt);
