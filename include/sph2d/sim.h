@@ -81,11 +81,12 @@ SPH2D_API sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_si
 SPH2D_API void sph2d_sim_destroy(sph2d_sim *sim);
 
 /** Advances by one time step. Errors: SPH2D_GUARD when a guard stops the run (the state stays as it is, for a
- *  snapshot), SPH2D_NOMEM. After an error every later call fails the same way.
+ *  snapshot), SPH2D_NOMEM, SPH2D_DEVICE when a device fails. After an error every later call fails the same way.
  *
  *  After SPH2D_NOMEM the particles are in the middle of the step. All functions can still be called: fields, views,
  *  counts and sums tell what the particles are now, what depends on neighbours (samples, the number of neighbours,
- *  the energy of surface tension) is NaN, probes have no values, and there is no state and no snapshot. */
+ *  the energy of surface tension) is NaN, probes have no values, and there is no state and no snapshot. The same holds after SPH2D_DEVICE, with the particles as the
+ *  processor last had them, and when a device is lost between steps. */
 SPH2D_API sph2d_status sph2d_sim_step(sph2d_sim *sim, sph2d_report *report);
 
 /** Whether a run shall take another step. It is called on the thread that called sph2d_sim_run(), and may look at the

@@ -95,9 +95,9 @@ sph2d_state sph2d_sim_state(sph2d_sim *sim)
         sim->state_capacity = sim->state_arrays ? STATE_ARRAYS : 0;
     }
     sph2d_state state = {.version = SPH2D_STATE_VERSION};
+    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
+    sph2d__host_reads_walls(&sim->system);
     if (sim->state_arrays && !sph2d__sim_is_broken(sim)) {
-        sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
-        sph2d__host_reads_walls(&sim->system);
         state.arrays = sim->state_arrays;
         sph2d__lent lent[STATE_ARRAYS];
         state.array_count = list_arrays(sim, lent);

@@ -242,8 +242,7 @@ sph2d__extremes sph2d__device_extremes(const sph2d__system *s, const sph2d__limi
 {
     const sph2d__extremes *parts = sph2d__device_read_by(s, "extremes", within, sizeof *within, sizeof *parts);
     sph2d__extremes all = sph2d__no_extremes();
-    const char *why, *doing;
-    if (sph2d__device_failed(s->device, &why, &doing)) /* its results are zeros, which no guard should see */
+    if (sph2d__device_is_lost(s)) /* its results are zeros, which no guard should see */
         return all;
     for (size_t k = 0; parts && k < sph2d__slabs(s->fluid.count); ++k)
         all = sph2d__join_extremes(all, parts[k]);

@@ -6,6 +6,7 @@
 
 #include "boundary/moving.h"
 #include "methods/common/method.h"
+#include "methods/common/on_device.h"
 #include "scene/colors.h"
 #include "scene/motion.h"
 #include "scene/solids.h"
@@ -109,7 +110,8 @@ bool sph2d__path_at(const sph2d_path *path, double time, sph2d_vec2 *at);
  *  particles. */
 static inline bool sph2d__sim_is_broken(const sph2d_sim *sim)
 {
-    return sim->stopped == SPH2D_NOMEM || sim->stopped == SPH2D_DEVICE;
+    return sim->stopped == SPH2D_NOMEM || sim->stopped == SPH2D_DEVICE ||
+           (sph2d__is_on_device(&sim->system) && sph2d__device_is_lost(&sim->system));
 }
 
 /** The scene's parameters that known flows use. */

@@ -99,6 +99,12 @@ static void bind(const sph2d__system *s)
     sph2d__device_numbers(s->device, &to, offsetof(handed, extra) + (s->extra ? s->extra->bytes : 0));
 }
 
+bool sph2d__device_is_lost(const sph2d__system *s)
+{
+    const char *why, *doing;
+    return sph2d__device_failed(s->device, &why, &doing);
+}
+
 void sph2d__device_rebind(const sph2d__system *s)
 {
     if (sph2d__device_is_short(s->device)) {

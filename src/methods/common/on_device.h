@@ -51,6 +51,9 @@ void sph2d__device_work_later(const sph2d__system *system, const char *kernel, c
 /** Where the device has an array of the system. */
 uint64_t sph2d__device_offset(const sph2d__system *system, const void *array);
 
+/** Whether the device has failed: what it had is lost. */
+bool sph2d__device_is_lost(const sph2d__system *system);
+
 /** Sends the system again, with all blocks where there is room for them. */
 void sph2d__device_rebind(const sph2d__system *system);
 
