@@ -3,7 +3,8 @@
 #
 # Runs five steps of a scene on the first device with a libOpenCL.so.1 (FAULTY, tests/device/faulty.c) whose call number N
 # fails, and all after it: the FIRST calls (default 60), and TIMES more (default 40) spread over the rest. A run may end with the status of a device, or
-# with none found, or as it should where the call does not matter, but not by a signal, and never with other numbers.
+# with none found, or as it should where the call does not matter, but not by a signal, and never with other numbers:
+# where the device is lost after the last step there is no state, whose hash is 0.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 golden=$1 faulty=$2 out=$3 first=${4-60} times=${5-40}
@@ -25,7 +26,7 @@ while read -r at; do
     run "$at" >"$out/said" 2>"$out/errors" || code=$?
     if [ "$code" = 0 ] && cmp -s "$out/said" "$out/good"; then
         same=$((same + 1))
-    elif [ "$code" != 1 ] || ! grep -q '; by the device \(DEVICE\|INVALID\)' "$out/said"; then
+    elif [ "$code" != 1 ] || ! grep -q '; by the device \(DEVICE\|INVALID\|OK 5 100 0000000000000000\)' "$out/said"; then
         echo "call $at of $calls: code $code, $(cat "$out/said" "$out/errors")"
         faults=$((faults + 1))
     fi
