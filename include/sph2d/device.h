@@ -40,7 +40,6 @@ typedef struct sph2d_device_use {
     uint64_t waits;    /**< how often the processor waited for it */
     uint64_t sent;     /**< to it [bytes] */
     uint64_t fetched;  /**< from it [bytes] */
-    uint64_t memory;   /**< on it now [bytes] */
 } sph2d_device_use;
 
 /** Describes up to `room` devices, in an order that stays the same until hardware or drivers change. Returns how many there
@@ -53,6 +52,9 @@ SPH2D_API const char *sph2d_device_refuses(const sph2d_scene *scene);
 
 /** What the device of a simulation has done; zeros without one. */
 SPH2D_API sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim);
+
+/** Memory in use on the device of a simulation [bytes]; 0 on the processor. The first step takes most of it. */
+SPH2D_API size_t sph2d_sim_device_memory(const sph2d_sim *sim);
 
 #ifdef __cplusplus
 }

@@ -52,7 +52,7 @@ typedef struct sph2d_sim_options {
      *  processors that the process may use), at most one for 512 particles. */
     int threads;
 
-    /** Instruction set; default auto. */
+    /** Instruction set; default auto. With a device it is baseline, and another one is refused. */
     sph2d_isa isa;
 
     /** The device that takes the steps, a number from 1 on in the list of sph2d_devices(); default 0: the processor. What it

@@ -10,6 +10,7 @@
 #define SPH2D_SPH2D_H
 
 #include "sph2d/array.h"
+#include "sph2d/device.h"
 #include "sph2d/field.h"
 #include "sph2d/key.h"
 #include "sph2d/method.h"

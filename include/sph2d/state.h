@@ -43,7 +43,7 @@ SPH2D_API sph2d_state sph2d_sim_state(sph2d_sim *sim);
  *  "Bodies" either, bodies start as in `scene`, whatever those of the state were; their energy counts as fed. Liquid that is inside
  *  a new one stays there until sph2d_sim_remove_particles() takes it away. Errors: SPH2D_FORMAT for a state that is not
  *  one of this scene and version; otherwise as sph2d_sim_create. `options` may be NULL; its `isa` is overridden by the
- *  one stored in the state. */
+ *  one stored in the state, and that by a device, which goes on as baseline. */
 SPH2D_API sph2d_status sph2d_sim_restore(const sph2d_scene *scene, const sph2d_sim_options *options,
                                          const sph2d_state *state, sph2d_sim **sim, sph2d_report *report);
 

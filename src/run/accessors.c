@@ -3,6 +3,7 @@
  *  Accessors of a simulation's values, and steering during a run. */
 #include <math.h>
 
+#include "device/device.h"
 #include "methods/common/on_device.h"
 #include "run/run.h"
 #include "sim/simulation.h"
@@ -84,12 +85,12 @@ size_t sph2d_sim_memory(const sph2d_sim *sim)
 
 sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim)
 {
-    sph2d_device_use use = {0};
-    if (sim && sph2d__is_on_device(&sim->system)) {
-        use = sph2d__device_used(sim->system.device);
-        use.memory = sph2d__device_bytes(sim->system.device);
-    }
-    return use;
+    return sim && sph2d__is_on_device(&sim->system) ? sph2d__device_used(sim->system.device) : (sph2d_device_use){0};
+}
+
+size_t sph2d_sim_device_memory(const sph2d_sim *sim)
+{
+    return sim && sph2d__is_on_device(&sim->system) ? sph2d__device_bytes(sim->system.device) : 0;
 }
 
 const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim)

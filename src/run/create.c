@@ -45,6 +45,12 @@ static sph2d_status check_options(const sph2d_sim_options *options, sph2d_report
                          "this processor or this build has no instruction set '%s'", sph2d_isa_name(options->isa));
         return SPH2D_INVALID;
     }
+    if (options->device != 0 && options->isa > SPH2D_ISA_BASELINE) {
+        sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_UNSUPPORTED, NULL,
+                         "instruction set '%s' is the processor's: what a device does is what 'baseline' does",
+                         sph2d_isa_name(options->isa));
+        return SPH2D_INVALID;
+    }
     return SPH2D_OK;
 }
 
@@ -63,7 +69,7 @@ static void set_system(sph2d_sim *sim, const sph2d_sim_options *options)
     s->memory = &sim->memory;
     s->tables = &sim->tables;
     s->profile.phase = SPH2D_PHASE_COUNT;
-    s->isa = sph2d__isa_choose(options->isa);
+    s->isa = options->device != 0 ? SPH2D_ISA_BASELINE : sph2d__isa_choose(options->isa);
     s->spacing = scene->spacing;
     s->support = d.support_radius;
     bool fitted = scene->method.name == SPH2D_METHOD_WCSPH && scene->method.operators == SPH2D_OPERATORS_FITTED;
@@ -233,6 +239,8 @@ static sph2d_status build(sph2d_sim *sim, const sph2d_scene *scene, const sph2d_
         status = sph2d__openings_create(sim);
     if (status == SPH2D_OK)
         status = state ? start_restored(sim, state, report) : start_new(sim, report);
+    if (options->device != 0) /* a state may be of another one */
+        sim->record.isa = sim->system.isa = SPH2D_ISA_BASELINE;
     if (status == SPH2D_OK && !sph2d__outlines_create(sim))
         status = SPH2D_NOMEM;
     if (status == SPH2D_OK)

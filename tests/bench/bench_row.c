@@ -89,7 +89,7 @@ bool bench_measure(const bench_job *job, bench_row *row)
     const sph2d_plan *plan = sph2d_sim_plan(sim);
     row->summary = sph2d_sim_summary(sim);
     row->particles = sph2d_sim_fluid(sim).count;
-    row->memory = job->device > 0 ? row->use.memory : sph2d_sim_memory(sim);
+    row->memory = job->device > 0 ? sph2d_sim_device_memory(sim) : sph2d_sim_memory(sim);
     row->isa = sph2d_sim_isa(sim);
     row->particle_steps = (double)row->particles * job->steps;
     row->neighbours = row->summary.neighbours;
