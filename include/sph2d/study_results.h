@@ -180,6 +180,9 @@ typedef struct sph2d_study_run_options {
     int threads;
     /** Default auto. */
     sph2d_isa isa;
+    /** As in sph2d_sim_options; default 0: the processor, and false. */
+    int device;
+    bool same_bits;
     /** How often a row of less than SPH2D_STUDY_REPEATED seconds is run; default 0: the study's value. */
     uint64_t repeat;
     /** Other rows run at the same time, so that wall time is not recorded; default false. */

@@ -198,6 +198,8 @@ static sph2d_status go(runner *r, double begun)
     if (r->options->threads > 0)
         options.threads = r->options->threads;
     options.isa = r->options->isa;
+    options.device = r->options->device;
+    options.same_bits = r->options->same_bits;
     sph2d_status status = sph2d_sim_create(sph2d_scene_file_scene(r->file), &options, &r->sim, &r->said);
     sph2d_contacts_attach(r->sim);
     r->record->start = sph2d__cpu_clock() - begun;
