@@ -10,6 +10,7 @@
 #include "clock.h"
 #include "coarse_run.h"
 #include "command.h"
+#include "device.h"
 #include "exit.h"
 #include "frame_writer.h"
 #include "input.h"
@@ -30,6 +31,8 @@ typedef struct checked {
     sph2d_sim *sim;
     sph2d_plan plan;
     thread_choice threads;
+    device_choice device;
+    double device_bytes;           /* that the run takes there */
     double step_seconds, step_cpu; /* measured, per step */
     double steps;                  /* expected of the run */
     double seconds, cpu;           /* expected of the run [s] */
@@ -79,7 +82,7 @@ static void estimate(checked *c)
     const coarse_run run = coarse_run_estimate(c->scene, c->plan.steps, c->plan.steps * c->step_cpu, particles);
     c->steps = c->plan.steps * run.steps;
     c->cpu = c->steps * run.particles * run.cost * c->step_cpu;
-    if ((particles < MIN_SCALING || c->scene->source_count > 0) && run.cpu_of_particle > 0)
+    if (c->device.number == 0 && (particles < MIN_SCALING || c->scene->source_count > 0) && run.cpu_of_particle > 0)
         c->cpu = c->steps * (run.cpu_of_step + run.mean * run.cpu_of_particle);
     const double mean = c->scene->source_count > 0 && run.mean > 0 ? run.mean : particles * run.particles;
     c->disk = c->plan.disk + (mean - particles) * c->plan.disk_of_particle;
@@ -133,6 +136,7 @@ static sph2d_status create(checked *c, const sph2d_scene *scene, sph2d_report *r
     sph2d_sim_options options = sph2d_sim_options_default();
     options.threads = c->threads.wanted;
     options.isa = c->options->isa;
+    device_set(&options, &c->device);
     sph2d_status status = sph2d_sim_create(scene, &options, &c->sim, report);
     sph2d_contacts_attach(c->sim);
     return status;
@@ -190,6 +194,7 @@ static void extrapolate(checked *c)
     p->support_radius /= k;
     p->time_step /= k;
     p->memory *= k * k;
+    c->device_bytes = k * k * (double)sph2d_sim_device_memory(c->sim);
     c->steps *= k;
     c->cpu *= k * k * k;
     c->seconds *= k * k * k;
@@ -267,6 +272,19 @@ static void print_pressure(const checked *c)
                  100 * compression_by(plan, plan->capillary_head));
 }
 
+static void print_device(const checked *c)
+{
+    char bytes[TEXT_SIZE], most[TEXT_SIZE];
+    if (c->device.number == 0)
+        return;
+    text_row("device", "%d, %s, %s", c->device.number, c->device.about.name,
+             c->device.about.same_bits ? "with the bits of baseline" : "which differs in the last digits");
+    text_row("", "%s of its memory, which gives %s at most", text_bytes(bytes, c->device_bytes),
+             text_bytes(most, c->device.about.largest));
+    if (c->device_bytes > c->device.about.largest)
+        text_row("", "that is too much: a larger spacing takes less");
+}
+
 static void print_table(const checked *c)
 {
     const sph2d_plan *plan = &c->plan;
@@ -290,6 +308,7 @@ static void print_table(const checked *c)
     print_short_steps(c);
     text_row("steps", "about %.3g, to t = %g s", c->steps, c->scene->run.until);
     text_row("memory", "%s at the start", text_bytes(memory, plan->memory));
+    print_device(c);
     text_row("snapshots", "%.0f, %s%s", plan->snapshots, text_bytes(disk, c->disk),
              c->scene->run.snapshots.compress > 0 ? " without compression" : "");
     text_row("frames", "%.0f of %u x %u", plan->frames, (unsigned)c->scene->run.frames.size[0],
@@ -345,6 +364,8 @@ static void print_object(const checked *c)
     json_number(&line, "seconds", c->steps_measured > 0 ? c->seconds : NAN);
     json_number(&line, "cpu_seconds", c->steps_measured > 0 ? c->cpu : NAN);
     json_count(&line, "threads", (uint64_t)sph2d_sim_threads(c->sim));
+    json_text(&line, "device", device_name(&c->device));
+    json_number(&line, "device_memory_bytes", c->device_bytes);
     json_end(&line);
 }
 
@@ -361,6 +382,12 @@ static int prepare(checked *c)
     c->scene = sph2d_scene_file_scene(c->file);
     frame_style style = frame_style_of_scene(c->scene);
     sph2d_status style_status = frame_style_check(&style, &c->report);
+    const char *refused = c->device.number > 0 ? sph2d_device_refuses(c->scene) : NULL;
+    if (refused) { /* a coarse scene would hide it */
+        sph2d_report_add(&c->report, SPH2D_ERROR, SPH2D_CODE_UNSUPPORTED, NULL, "no device takes this scene: %s",
+                         refused);
+        return report_status(c, SPH2D_SCENE);
+    }
     status = create_affordable(c);
     if (status == SPH2D_OK && c->sim)
         c->plan = *sph2d_sim_plan(c->sim);
@@ -392,7 +419,9 @@ int command_check(const cli_options *options)
         return CLI_EXIT_USAGE;
     }
     checked c = {.options = options, .threads = threads_choose(options), .coarsening = 1};
-    int code = prepare(&c);
+    int code = device_choose(&c.device, options);
+    if (code == CLI_EXIT_SUCCESS)
+        code = prepare(&c);
     if (code == CLI_EXIT_SUCCESS && c.sim)
         code = try_start(&c);
     else if (code == CLI_EXIT_SUCCESS)

@@ -21,6 +21,7 @@
     X(study, STUDY, "STUDY", "run a scene several times; print its errors beside its speed")                           \
     X(info, INFO, "PATH...", "print the contents of a snapshot, or what became of a run")                              \
     X(init, INIT, "NAME", "write a commented scene to start from")                                                     \
+    X(devices, DEVICES, "", "print the devices that can take the steps of a run")                                      \
     X(help, HELP, "[TOPIC]", "explain a command, or: exit, codes, scene, materials, methods, schema, study.schema")
 
 /** A bit for each command, so that an option can name the commands that take it. */

@@ -28,7 +28,7 @@
     X(USAGE, 64, "EX_USAGE", "bad command line")                                                                       \
     X(DATA, 65, "EX_DATAERR", "the content of a scene or snapshot was rejected")                                       \
     X(NOINPUT, 66, "EX_NOINPUT", "an input is missing or unreadable")                                                  \
-    X(UNAVAILABLE, 69, "EX_UNAVAILABLE", "rendering or gnuplot is not available")                                      \
+    X(UNAVAILABLE, 69, "EX_UNAVAILABLE", "rendering, gnuplot or a device is not available")                            \
     X(SOFTWARE, 70, "EX_SOFTWARE", "internal error, or out of memory")                                                 \
     X(CANTCREAT, 73, "EX_CANTCREAT", "an output cannot be created")                                                    \
     X(IO, 74, "EX_IOERR", "reading or writing failed")                                                                 \

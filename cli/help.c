@@ -127,6 +127,15 @@ static const char *const details[CLI_COMMAND_COUNT] = {
                   "unit, range and default.\n"
                   "\n"
                   "  sph2d init basin --template stir\n",
+    [CLI__DEVICES] =
+        "Prints graphics cards and other devices with OpenCL 1.2: their numbers for --device, memory, drivers, and\n"
+        "whether a run has the bits of one by the processor with --isa baseline. 'sph2d check SCENE --device gpu' "
+        "says\n"
+        "whether a device takes a scene, and what memory that needs.\n"
+        "\n"
+        "  sph2d devices\n"
+        "  sph2d run scene.yaml -o out --device gpu\n"
+        "  sph2d run scene.yaml -o out --device 2 --same-bits\n",
     [CLI__HELP] = ("Topics: a command; exit (exit codes); codes (of messages); scene (all keys of a scene file);\n"
                    "materials (named liquids); methods (use, defaults and keys of each); schema, study.schema (JSON\n"
                    "schemas of scene and study files, for editors).\n"),

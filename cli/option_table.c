@@ -14,6 +14,7 @@ enum {
 
 /* The values of options that have a list of them, in the order of their enums. */
 static const char *const isa_words[] = {"auto", "baseline", "avx2", "avx512", NULL};
+static const char *const device_words[] = {"cpu", "gpu", NULL}; /* and with numbers */
 static const char *const progress_words[] = {"auto", "always", "never", NULL};
 static const char *const style_words[] = {"metaballs", "points", NULL};
 static const char *const look_words[] = {"water", "flat", "glass", "ink", NULL};
@@ -33,6 +34,10 @@ static const option_row rows[] = {
      "threads; else those of OpenMP: OMP_NUM_THREADS, or the processors"},
     {OPTION_ISA, "isa", "NAME", CLI_RUN | CLI_PLAY | CLI_CHECK | CLI_STUDY,
      "instruction set: auto, baseline, avx2 or avx512"},
+    {OPTION_DEVICE, "device", "NAME", SIMULATES | CLI_PLAY | CLI_STUDY,
+     "what takes the steps: cpu, gpu, gpu:2, or a number of 'sph2d devices'"},
+    {OPTION_SAME_BITS, "same-bits", NULL, SIMULATES | CLI_PLAY | CLI_STUDY,
+     "only a device with the bits of the processor's baseline"},
     {OPTION_MAX_WALL, "max-wall", "TIME", CLI_RUN | CLI_RESUME | CLI_PLAY,
      "stop after TIME (90s, 45m, 3h), a run with a checkpoint"},
     {OPTION_NO_FRAMES, "no-frames", NULL, CLI_RUN | CLI_RESUME, "draw no frames"},
@@ -86,6 +91,8 @@ const char *const *options_words(int id)
     switch (id) {
     case OPTION_ISA:
         return isa_words;
+    case OPTION_DEVICE:
+        return device_words;
     case OPTION_PROGRESS:
         return progress_words;
     case OPTION_STYLE:

@@ -41,7 +41,9 @@ enum {
     OPTION_TARGET,
     OPTION_REPEAT,
     OPTION_PROFILE,
-    OPTION_SHARD
+    OPTION_SHARD,
+    OPTION_DEVICE,
+    OPTION_SAME_BITS
 };
 
 /** An option as a row of the table. */

@@ -57,6 +57,18 @@ static bool set_isa(cli_options *options, const char *name, const char *value)
     return true;
 }
 
+static bool set_device(cli_options *options, const char *name, const char *value)
+{
+    const bool card = strncmp(value, "gpu", 3) == 0;
+    const char *count = !card ? value : value[3] == ':' ? value + 4 : value[3] == '\0' ? "1" : value;
+    long number = 0;
+    if (strcmp(value, "cpu") != 0 && !parse_count(count, 1, 1000, &number))
+        return bad_value(name, "device", value, "cpu, gpu, gpu:2 for the second card, or a number of 'sph2d devices'");
+    options->device = (int)number;
+    options->device_is_card = card;
+    return true;
+}
+
 static bool set_progress(cli_options *options, const char *name, const char *value)
 {
     int mode = find_word(value, options_words(OPTION_PROGRESS));
@@ -184,6 +196,9 @@ static bool set_flag(cli_options *options, int id)
     case OPTION_ALL:
         options->all = true;
         return true;
+    case OPTION_SAME_BITS:
+        options->same_bits = true;
+        return true;
     case OPTION_PROFILE:
         options->profile = true;
         return true;
@@ -208,6 +223,8 @@ static bool set_value(cli_options *options, const char *name, int id, char *valu
         return set_progress(options, name, value);
     case OPTION_ISA:
         return set_isa(options, name, value);
+    case OPTION_DEVICE:
+        return set_device(options, name, value);
     case OPTION_SHARD:
         return parse_part(value, &options->shard, &options->shards) ||
                bad_value(name, "shard", value, "I/N, with I from 1 to N and N of at most 1000000");

@@ -114,6 +114,11 @@ bool options_parse(cli_options *options, const char *name, unsigned command, int
             return false;
         before = optind;
     }
+    if (options->device > 0 && options->isa > SPH2D_ISA_BASELINE) {
+        message_usage(name, "--isa %s is the processor's: what a device does is what baseline does",
+                      sph2d_isa_name(options->isa));
+        return false;
+    }
     options->operands = argv + optind;
     options->operand_count = (size_t)(argc - optind);
     message_setup(options);

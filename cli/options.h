@@ -34,6 +34,9 @@ typedef struct cli_options {
     double target;     /**< an error, > 0 */
     bool percent;      /**< given in per cent */
     sph2d_isa isa;
+    int device;          /**< its number in the list, or among the graphics cards; 0: the processor */
+    bool device_is_card; /**< the number is one of graphics cards */
+    bool same_bits;
     double max_wall; /**< [s] */
     bool no_frames, no_checksum, dry_run, all, profile;
     sph2d_override *overrides; /**< owned; freed by options_free */

@@ -38,6 +38,10 @@ static int restore(cli_session *s, const sph2d_snapshot *snapshot)
     sph2d_sim_options options = session_sim_options(s);
     sph2d_status status = sph2d_sim_restore(sph2d_scene_file_scene(s->file), &options, &state, &s->sim, &s->report);
     sph2d_contacts_attach(s->sim);
+    const char *isa = sph2d_snapshot_get_info(snapshot).isa;
+    if (status == SPH2D_OK && strcmp(isa, sph2d_isa_name(sph2d_sim_isa(s->sim))) != 0)
+        message_note(
+            "the run was one by %s; what a device does is what baseline does, which differs in the last digits", isa);
     return session_report(s, status);
 }
 
@@ -59,7 +63,7 @@ static int continue_run(cli_session *s, saved_in saved)
         remove_obsolete(s, saved);
         loop_result nothing = {.end = LOOP_FINISHED};
         if (s->options->json)
-            summary_print(s->sim, &nothing, "complete", &s->threads, s->options, &s->folder);
+            summary_print(s, &nothing, "complete");
         return CLI_EXIT_SUCCESS;
     }
     int code = session_create_frame_writer(s);
@@ -82,9 +86,10 @@ int command_resume(const cli_options *options)
         return code;
     snapshot_note(options);
     cli_session session;
-    session_begin(&session, options);
+    code = session_begin(&session, options);
     newest_snapshot newest = {0};
-    code = folder_reopen(&session.folder, options->operands[0]);
+    if (code == CLI_EXIT_SUCCESS)
+        code = folder_reopen(&session.folder, options->operands[0]);
     if (code == CLI_EXIT_SUCCESS) {
         code = session_report(&session, newest_find(&newest, options, &session.folder, &session.report));
         if (!newest.snapshot && code == CLI_EXIT_SUCCESS) {

@@ -90,8 +90,9 @@ int command_run(const cli_options *options)
     if (options->dry_run)
         return command_check(options);
     cli_session session;
-    session_begin(&session, options);
-    code = prepare(&session);
+    code = session_begin(&session, options);
+    if (code == CLI_EXIT_SUCCESS)
+        code = prepare(&session);
     if (code == CLI_EXIT_SUCCESS)
         code = clear_folder(&session);
     if (code == CLI_EXIT_SUCCESS)

@@ -10,11 +10,12 @@
 #include "message.h"
 #include "text.h"
 
-void session_begin(cli_session *s, const cli_options *options)
+int session_begin(cli_session *s, const cli_options *options)
 {
     *s = (cli_session){.options = options, .begun = clock_wall(), .folder = FOLDER_CLOSED};
     s->threads = threads_choose(options);
     signals_install();
+    return device_choose(&s->device, options);
 }
 
 sph2d_sim_options session_sim_options(const cli_session *s)
@@ -23,6 +24,7 @@ sph2d_sim_options session_sim_options(const cli_session *s)
     sim.threads = s->threads.wanted;
     sim.isa = s->options->isa;
     sim.profile = s->options->profile;
+    device_set(&sim, &s->device);
     return sim;
 }
 
@@ -61,6 +63,9 @@ static void report_start(const cli_session *s)
     message_note("%s: %zu particles, %zu in walls, from t = %g s to %g s", sph2d_sim_scene(s->sim)->name,
                  sph2d_sim_fluid(s->sim).count, sph2d_sim_walls(s->sim).count, sph2d_sim_time(s->sim),
                  sph2d_sim_scene(s->sim)->run.until);
+    char device[TEXT_DEVICE_SIZE];
+    if (s->device.number > 0)
+        message_note("the steps are taken by %s", device_describe(device, &s->device));
     message_detail("support radius %g m, sound speed %g m/s (%s)", plan->support_radius, plan->sound_speed,
                    plan->sound_speed_formula);
     char in_use[TEXT_SIZE];
@@ -142,7 +147,7 @@ int session_run(cli_session *s, saved_in saved)
             message_note("there were no outputs to write, so the last moment is in '%s/snapshot_%06" PRIu64 ".h5'; "
                          "`run: {snapshots: {per_second: 60}}` in the scene writes all the others",
                          s->folder.path, sph2d_sim_output_count(s->sim, SPH2D_OUTPUT_SNAPSHOT) - 1);
-        summary_print(s->sim, &result, end_name(&result), &s->threads, s->options, &s->folder);
+        summary_print(s, &result, end_name(&result));
         code = end_code(&result);
     }
     sph2d_status closed = outputs_close(&outputs, &s->report);

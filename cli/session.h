@@ -4,6 +4,7 @@
 #ifndef SPH2D_CLI_SESSION_H
 #define SPH2D_CLI_SESSION_H
 
+#include "device.h"
 #include "folder.h"
 #include "loop.h"
 #include "options.h"
@@ -13,6 +14,7 @@ typedef struct cli_session {
     const cli_options *options;
     double begun; /**< start on the wall clock, from which --max-wall counts [s] */
     thread_choice threads;
+    device_choice device;
     sph2d_scene_file *file;
     sph2d_sim *sim;
     cli_folder folder;
@@ -20,8 +22,8 @@ typedef struct cli_session {
     sph2d_report report;
 } cli_session;
 
-/** Starts the clock, chooses the threads and installs the signal handlers. */
-void session_begin(cli_session *s, const cli_options *options);
+/** Starts the clock, chooses the threads and installs the signal handlers; then finds the device. Returns an exit code. */
+int session_begin(cli_session *s, const cli_options *options);
 
 /** Options for sph2d_sim_create and sph2d_sim_restore. */
 sph2d_sim_options session_sim_options(const cli_session *s);
@@ -49,8 +51,7 @@ void session_end(cli_session *s, int code);
 /** Prints the summary to stdout: a table, with --json one object, with --quiet nothing. `reason` is how the session
  *  ended: finished, complete, guard, failed, SIGINT, SIGTERM, SIGHUP, max-wall. The series of gauges are read in the
  *  folder. */
-void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
-                   const cli_options *options, cli_folder *folder);
+void summary_print(cli_session *s, const loop_result *result, const char *reason);
 
 /** Change of energy since the start, less the net input by particles [J/m]. */
 double summary_energy_change(const sph2d_summary *summary);

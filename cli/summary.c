@@ -88,7 +88,7 @@ double summary_energy_change(const sph2d_summary *s)
 
 /* ---- the table --------------------------------------------------------------------------------------------------- */
 
-static void print_speed(const sph2d_sim *sim, const loop_result *result, const thread_choice *threads)
+static void print_speed(const cli_session *s, const loop_result *result)
 {
     char rate[TEXT_SIZE], cpu_rate[TEXT_SIZE], wall[TEXT_SIZE], cpu[TEXT_SIZE];
     char output[TEXT_SIZE], output_cpu[TEXT_SIZE];
@@ -102,12 +102,14 @@ static void print_speed(const sph2d_sim *sim, const loop_result *result, const t
     text_row("", "stepping %s, CPU %s; output %s, CPU %s", text_seconds(wall, result->step_wall),
              text_seconds(cpu, result->step_cpu), text_seconds(output, result->output_wall),
              text_seconds(output_cpu, result->output_cpu));
-    char frames[TEXT_SIZE], in_use[TEXT_SIZE];
+    char frames[TEXT_SIZE], in_use[TEXT_SIZE], by[TEXT_DEVICE_SIZE];
     if (result->frames.frames > 0)
         text_row("", "%zu frame%s, %s", result->frames.frames, result->frames.frames == 1 ? "" : "s",
                  frame_times_describe(frames, &result->frames));
-    text_row("", "%s, %s", threads_describe(in_use, sph2d_sim_threads(sim), threads),
-             sph2d_isa_name(sph2d_sim_isa(sim)));
+    if (s->device.number > 0)
+        text_row("", "%s", device_describe(by, &s->device));
+    text_row("", "%s, %s", threads_describe(in_use, sph2d_sim_threads(s->sim), &s->threads),
+             sph2d_isa_name(sph2d_sim_isa(s->sim)));
 }
 
 /* From this part of its volume on an error of it is worth advice; most scenes have 0.001 to 0.03. */
@@ -253,17 +255,16 @@ static void print_profile(const sph2d_sim *sim, const loop_result *result)
     }
 }
 
-static void print_table(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
-                        const thread_choice *threads, cli_folder *folder)
+static void print_table(cli_session *session, const sph2d_summary *s, const loop_result *result, const char *reason)
 {
-    const sph2d_scene *scene = sph2d_sim_scene(sim);
+    const sph2d_scene *scene = sph2d_sim_scene(session->sim);
     text_row(scene->name, "%s at t = %.6g s of %.6g s", reason, s->time, scene->run.until);
-    print_speed(sim, result, threads);
-    print_errors(sim, scene, s);
-    print_gauges(scene, folder);
+    print_speed(session, result);
+    print_errors(session->sim, scene, s);
+    print_gauges(scene, &session->folder);
     print_particles(s, scene);
     print_steps(s);
-    print_profile(sim, result);
+    print_profile(session->sim, result);
 }
 
 /* ---- JSON -------------------------------------------------------------------------------------------------------- */
@@ -278,8 +279,9 @@ static void add_frames(cli_json *line, const frame_times *frames)
     json_close_object(line);
 }
 
-static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *result, const thread_choice *threads)
+static void add_speed(cli_json *line, const cli_session *s, const loop_result *result)
 {
+    const int threads = sph2d_sim_threads(s->sim);
     double particle_steps = (double)result->particle_steps;
     json_open_object(line, "speed");
     json_number(line, "particle_steps_per_second", ratio(particle_steps, result->step_wall));
@@ -291,9 +293,10 @@ static void add_speed(cli_json *line, const sph2d_sim *sim, const loop_result *r
     json_number(line, "output_cpu_seconds", result->output_cpu);
     json_count(line, "steps", result->steps);
     json_count(line, "particle_steps", result->particle_steps);
-    json_count(line, "threads", (uint64_t)sph2d_sim_threads(sim));
-    json_text(line, "threads_from", threads_source(sph2d_sim_threads(sim), threads));
-    json_text(line, "isa", sph2d_isa_name(sph2d_sim_isa(sim)));
+    json_count(line, "threads", (uint64_t)threads);
+    json_text(line, "threads_from", threads_source(threads, &s->threads));
+    json_text(line, "isa", sph2d_isa_name(sph2d_sim_isa(s->sim)));
+    json_text(line, "device", device_name(&s->device));
     add_frames(line, &result->frames);
     json_close_object(line);
 }
@@ -401,31 +404,29 @@ static void add_profile(cli_json *line, const sph2d_sim *sim)
     json_close_object(line);
 }
 
-static void print_object(const sph2d_sim *sim, const sph2d_summary *s, const loop_result *result, const char *reason,
-                         const thread_choice *threads, const cli_options *options, cli_folder *folder)
+static void print_object(cli_session *session, const sph2d_summary *s, const loop_result *result, const char *reason)
 {
-    const sph2d_scene *scene = sph2d_sim_scene(sim);
+    const sph2d_scene *scene = sph2d_sim_scene(session->sim);
     cli_json line = json_begin(stdout);
     json_text(&line, "scene", scene->name);
     json_text(&line, "end", reason);
     json_number(&line, "time", s->time);
     json_number(&line, "until", scene->run.until);
-    add_speed(&line, sim, result, threads);
-    add_errors(&line, sim, s);
-    add_gauges(&line, scene, folder);
+    add_speed(&line, session, result);
+    add_errors(&line, session->sim, s);
+    add_gauges(&line, scene, &session->folder);
     add_particles(&line, s);
     add_steps(&line, s);
-    if (options->profile)
-        add_profile(&line, sim);
+    if (session->options->profile)
+        add_profile(&line, session->sim);
     json_end(&line);
 }
 
-void summary_print(const sph2d_sim *sim, const loop_result *result, const char *reason, const thread_choice *threads,
-                   const cli_options *options, cli_folder *folder)
+void summary_print(cli_session *s, const loop_result *result, const char *reason)
 {
-    sph2d_summary s = sph2d_sim_summary(sim);
-    if (options->json)
-        print_object(sim, &s, result, reason, threads, options, folder);
-    else if (!options->quiet)
-        print_table(sim, &s, result, reason, threads, folder);
+    sph2d_summary summary = sph2d_sim_summary(s->sim);
+    if (s->options->json)
+        print_object(s, &summary, result, reason);
+    else if (!s->options->quiet)
+        print_table(s, &summary, result, reason);
 }

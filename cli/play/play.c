@@ -7,6 +7,7 @@
 
 #include "../clock.h"
 #include "../command.h"
+#include "../device.h"
 #include "../exit.h"
 #include "../input.h"
 #include "../message.h"
@@ -119,6 +120,11 @@ int command_play(const cli_options *options)
     sph2d_sim_options sim_options = sph2d_sim_options_default();
     sim_options.threads = threads.wanted;
     sim_options.isa = options->isa;
+    device_choice device;
+    code = device_choose(&device, options);
+    if (code != CLI_EXIT_SUCCESS)
+        return code;
+    device_set(&sim_options, &device);
     game g;
     code = open_game(&g, options, &sim_options);
     if (code == CLI_EXIT_SUCCESS)

@@ -71,6 +71,7 @@ void study_json_print(const cli_study *s, const char *end, bool passed)
     json_flag(&line, "passed", passed);
     json_count(&line, "threads", (uint64_t)s->threads.count);
     json_text(&line, "threads_from", s->threads.source);
+    json_text(&line, "device", device_name(&s->device));
     json_count(&line, "jobs", s->jobs);
     json_count(&line, "rows_by_shards", s->by_shards);
     json_text(&line, "processor", build_processor(processor, sizeof processor));

@@ -46,9 +46,14 @@ static void write_program(const cli_study *s, bool anywhere, char out[PROGRAM_SI
         if (sph2d_isa_available((sph2d_isa)i))
             isa = (sph2d_isa)i;
     snprintf(threads, sizeof threads, "%d", s->threads.count);
+    if (s->device.number > 0)
+        isa = SPH2D_ISA_BASELINE;
     snprintf(out, PROGRAM_SIZE, "sph2d %s, source %s, %s, %s\nthreads %s, isa %s, repeat %" PRIu64 ", %s",
              sph2d_version(), build_source, build_compiler, build_flags, anywhere ? "any" : threads,
              sph2d_isa_name(isa), s->repeat, anywhere ? "of a shard" : build_processor(processor, sizeof processor));
+    if (s->device.number > 0)
+        text_append(out, PROGRAM_SIZE, ", %s, %s %s", s->device.about.name, s->device.about.platform,
+                    s->device.about.driver);
 }
 
 /* The key of the same row with another program in front. NULL when memory is short. */

@@ -110,6 +110,8 @@ static void put_command(const void *study, FILE *out)
         fprintf(out, " --threads %d", s->threads.wanted);
     if (options->isa != SPH2D_ISA_AUTO)
         fprintf(out, " --isa %s", sph2d_isa_name(options->isa));
+    if (s->device.number > 0)
+        fprintf(out, " --device %d%s", s->device.number, s->device.same_bits ? " --same-bits" : "");
     if (options->repeat > 0)
         fprintf(out, " --repeat %d", options->repeat);
     if (options->target > 0)

@@ -8,6 +8,7 @@
 
 #include <sph2d/study_results.h>
 
+#include "../device.h"
 #include "../folder.h"
 #include "../options.h"
 #include "../threads.h"
@@ -16,6 +17,7 @@ typedef struct cli_study {
     const cli_options *options;
     const char *path; /**< of the study file */
     thread_choice threads;
+    device_choice device;
     size_t jobs; /**< rows that run at the same time */
     char *made;  /**< the text of a study that was generated for a scene; owned, NULL otherwise */
     sph2d_study_file *file;

@@ -169,7 +169,9 @@ int command_study(const cli_options *options)
     if ((options->jobs > 1 || options->shards > 0) && options->threads == 0) /* rows beside each other have one each */
         s.threads = (thread_choice){1, 1, options->jobs > 1 ? "one a row, with --jobs" : "one a row, with --shard"};
     signals_install();
-    int code = prepare(&s);
+    int code = device_choose_apart(&s.device, options);
+    if (code == CLI_EXIT_SUCCESS)
+        code = prepare(&s);
     signals_note();
     if (code == CLI_EXIT_SUCCESS)
         code = finish(&s, run_rows(&s));

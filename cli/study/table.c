@@ -90,6 +90,9 @@ char *study_conditions(const cli_study *s, char *out, size_t size)
     bool shards = s->by_shards == rows;
     snprintf(out, size, "%s, %s",
              shards ? "each shard's own threads" : threads_describe(in_use, s->threads.count, &s->threads), isa);
+    char device[TEXT_DEVICE_SIZE];
+    if (s->device.number > 0)
+        text_append(out, size, ", by %s", device_describe(device, &s->device));
     size_t used = strlen(out);
     if (s->repeat > 1)
         snprintf(out + used, size - used, ", least of %" PRIu64 " runs where one takes less than %d s", s->repeat,

@@ -58,6 +58,8 @@ void study_work(cli_study *s, sph2d_study_row *row, pid_t parent, int out)
     work w = {.study = s, .parent = parent, .progress = {.form = PROGRESS_OFF}};
     sph2d_study_run_options options = {.threads = s->threads.wanted,
                                        .isa = s->options->isa,
+                                       .device = s->device.number,
+                                       .same_bits = s->device.same_bits,
                                        .repeat = s->repeat,
                                        .beside_others = s->jobs > 1 || s->options->shards > 0,
                                        .go_on = go_on,

@@ -121,7 +121,9 @@ def check_table(commands, topics):
         longs = set(re.findall(r"^  (?:-\w,|   ) (--[a-z-]+)", told(name, "--help"), re.M))
         assert longs == set(options), (name, longs ^ set(options))
         for long, (letter, argument, words) in options.items():
-            if words and long != "--template":
+            if long == "--device":  # and numbers
+                assert words == {"cpu", "gpu"}, words
+            elif words and long != "--template":
                 said = re.search(r"'\?' is not (.*)", told(name, "x", f"{long}=?")).group(1)
                 assert set(re.split(", | or ", said)) == words, (long, said, words)
             if long == "--template":
