@@ -53,7 +53,7 @@ from typing import (TYPE_CHECKING, Any, Dict, Iterable, List, Literal, Mapping, 
 import numpy as np
 
 from . import _plots
-from ._records import (BodyState, Boundary, Box, Densities, Diagnostic, Plan, Sample, SnapshotInfo, Summary)
+from ._records import (BodyState, Boundary, Box, Densities, Device, Diagnostic, Plan, Sample, SnapshotInfo, Summary)
 
 if TYPE_CHECKING:
     import pandas
@@ -66,8 +66,8 @@ if TYPE_CHECKING:
     Changes = Optional[Mapping[str, Any]]
     Floats = NDArray[np.float64]
 
-__all__ = ["BodyState", "Densities", "Diagnostic", "Error", "Particles", "Plan", "Renderer", "Sample", "Scene",
-           "SceneWarning", "Simulation", "Snapshot", "SnapshotInfo", "Summary", "vorticity"]
+__all__ = ["BodyState", "Densities", "Device", "Diagnostic", "Error", "Particles", "Plan", "Renderer", "Sample",
+           "Scene", "SceneWarning", "Simulation", "Snapshot", "SnapshotInfo", "Summary", "devices", "vorticity"]
 __version__ = "0.1.0"
 
 # ---- what is used of the headers -------------------------------------------------------------------------------------
@@ -127,8 +127,10 @@ typedef struct sph2d_plan { size_t fluid_particles; size_t wall_particles; size_
     double time_step; const char *time_step_limit; double steps; double memory; double snapshots, frames;
     double disk; double disk_of_particle; } sph2d_plan;
 typedef struct sph2d_allocator { void *resize; void *user; } sph2d_allocator;
-typedef struct sph2d_sim_options { size_t struct_size; int threads; sph2d_isa isa; sph2d_allocator allocator;
-    bool profile; } sph2d_sim_options;
+typedef struct sph2d_device { char name[96]; char platform[64]; char driver[64]; bool gpu; bool same_bits;
+    char lacks[64]; unsigned units; double memory; double largest; } sph2d_device;
+typedef struct sph2d_sim_options { size_t struct_size; int threads; sph2d_isa isa; int device; bool same_bits;
+    sph2d_allocator allocator; bool profile; } sph2d_sim_options;
 typedef struct sph2d_view { size_t count; const double *x, *y; const double *vx, *vy; const double *ax, *ay;
     const double *density; const double *pressure; const uint64_t *id; } sph2d_view;
 typedef struct sph2d_sample { double velocity[2]; double pressure; double density; double neighbours; } sph2d_sample;
@@ -177,6 +179,8 @@ const sph2d_keys *sph2d_scene_keys(void);
 sph2d_status sph2d_scene_plan(const sph2d_scene *scene, sph2d_plan *plan, sph2d_report *report);
 sph2d_sim_options sph2d_sim_options_default(void);
 const char *sph2d_isa_name(sph2d_isa isa);
+size_t sph2d_devices(sph2d_device *out, size_t room);
+size_t sph2d_sim_device_memory(const sph2d_sim *sim);
 sph2d_status sph2d_sim_create(const sph2d_scene *scene, const sph2d_sim_options *options, sph2d_sim **sim,
     sph2d_report *report);
 sph2d_status sph2d_sim_restore(const sph2d_scene *scene, const sph2d_sim_options *options, const sph2d_state *state,
@@ -463,7 +467,7 @@ def _tell(status: int, report: Any, scene: Optional[Scene] = None) -> None:
 # The named tuple of each struct that is handed out.
 _RECORDS = {_STRUCT[name]: kind for name, kind in (
     ("summary", Summary), ("plan", Plan), ("body_state", BodyState), ("box", Box), ("boundary", Boundary),
-    ("densities", Densities), ("snapshot_info", SnapshotInfo))}
+    ("densities", Densities), ("snapshot_info", SnapshotInfo), ("device", Device))}
 
 
 def _python(value):
@@ -943,26 +947,34 @@ class Simulation(_Pictured, _Owner):
     bits for any number. isa: instruction set, "baseline",
     "avx2" or "avx512"; default "auto": the widest that the processor has.
 
+    device: what takes the steps, a number of devices(), from 1 on; default 0: the processor. same_bits: only a device that
+    has the bits of the processor's "baseline", which is the isa of all devices; default False. Drivers have threads, which
+    a process forked later lacks: use multiprocessing's "spawn". Copies are on the same device.
+
     contacts: whether bodies meet each other and walls (libsph2d-contacts), default True; False: they pass through each
     other and through walls.
 
     Memory is freed with the last reference to it, or by close(); a simulation is a context manager, too. Afterwards all
     calls raise ValueError. copy.copy() and copy.deepcopy() make an independent simulation that goes on from here, bit
     for bit; so does pickle, as by write_snapshot() and Snapshot.resume(). Errors: as of Scene, and Error with status
-    INVALID, NOMEM; ValueError for other threads or an unknown isa. Warns with SceneWarning."""
+    INVALID, NOMEM, DEVICE; ValueError for other threads or an unknown isa. Warns with SceneWarning."""
 
     def __init__(self, source: Union[Scene, Mapping[str, Any], Path], set: Changes = None, *, threads: Number = 0,
-                 isa: str = "auto", contacts: bool = True) -> None:
+                 isa: str = "auto", device: Number = 0, same_bits: bool = False, contacts: bool = True) -> None:
         if isinstance(source, Scene) and _overrides(set):
             raise TypeError("`set` changes a scene as it is read: Scene(source, set)")
-        self._create(source if isinstance(source, Scene) else Scene(source, set), None, threads, isa, contacts)
+        self._create(source if isinstance(source, Scene) else Scene(source, set), None, isa,
+                     (threads, contacts, device, same_bits))
 
-    def _create(self, scene, state, threads, isa, contacts):
+    def _create(self, scene, state, isa, given):
         self._scene, self._keys, self._sim = scene, scene.as_dict(), None
-        self._options = _whole("threads", threads, 0, 1024), _flag("contacts", contacts)
+        threads, contacts, device, same_bits = given
+        self._options = (_whole("threads", threads, 0, 1024), _flag("contacts", contacts),
+                         _whole("device", device, 0, 1000), _flag("same_bits", same_bits))
         self._lock, self._report = threading.RLock(), _STRUCT["report"]()
         options = _CORE.sph2d_sim_options_default()
         options.threads, options.isa = self._options[0], _isa_of(isa)
+        options.device, options.same_bits = self._options[2:]
         options.allocator = _CORE.sph2d_shared_allocator()
         function, from_state = _CORE.sph2d_sim_create, ()
         if state is not None:
@@ -1009,7 +1021,7 @@ class Simulation(_Pictured, _Owner):
             state = self._get(_CORE.sph2d_sim_state)
             if state.array_count == 0:
                 raise Error("NOMEM")
-            made._create(self._scene, state, self._options[0], "auto", self._options[1])
+            made._create(self._scene, state, "auto", self._options)
             made._rows = [list(rows) for rows in self._rows]
         return made
 
@@ -1020,7 +1032,7 @@ class Simulation(_Pictured, _Owner):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "state.h5")
             self.write_snapshot(path)
-            return _resumed, (type(self), path.read_bytes(), *self._options), {"_rows": self._rows}
+            return _resumed, (type(self), path.read_bytes(), self._options), {"_rows": self._rows}
 
     def _get(self, function, *arguments):
         """Calls a function of the library with the simulation."""
@@ -1091,6 +1103,11 @@ class Simulation(_Pictured, _Owner):
     def memory(self) -> int:
         """Memory allocated [bytes]."""
         return self._get(_CORE.sph2d_sim_memory)
+
+    @property
+    def device_memory(self) -> int:
+        """Memory in use on its device [bytes], most of it from the first step on; 0 on the processor."""
+        return self._get(_CORE.sph2d_sim_device_memory)
 
     @property
     def plan(self) -> Plan:
@@ -1436,25 +1453,26 @@ class Snapshot(_Pictured, _Unchanging):
         scene._take(file.value, status, report)
         return scene
 
-    def resume(self, *, threads: Number = 0, contacts: bool = True) -> Simulation:
-        """A Simulation that goes on from here, bit for bit, with the instruction set of the snapshot; arguments as of
-        Simulation. Errors: as of Simulation and scene()."""
-        return self._resume(Simulation, threads, contacts)
+    def resume(self, *, threads: Number = 0, device: Number = 0, same_bits: bool = False,
+               contacts: bool = True) -> Simulation:
+        """A Simulation that goes on from here, bit for bit, with the instruction set of the snapshot, or on a device with
+        "baseline"; arguments as of Simulation. Errors: as of Simulation and scene()."""
+        return self._resume(Simulation, (threads, contacts, device, same_bits))
 
-    def _resume(self, kind, threads, contacts):
+    def _resume(self, kind, given):
         sim = kind.__new__(kind)
         with _IO_LOCK:
             state = _IO.sph2d_snapshot_state(self._memory.address)
-        sim._create(self.scene(), state, threads, "auto", contacts)
+        sim._create(self.scene(), state, "auto", given)
         return sim
 
 
-def _resumed(kind, content, threads, contacts):
+def _resumed(kind, content, given):
     """A simulation of a class from the bytes of a snapshot, which pickle has kept."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "state.h5")
         path.write_bytes(content)
-        return Snapshot(path)._resume(kind, threads, contacts)
+        return Snapshot(path)._resume(kind, given)
 
 
 # ---- pictures --------------------------------------------------------------------------------------------------------
@@ -1666,6 +1684,14 @@ def vorticity(source: Union[Simulation, Snapshot]) -> Floats:
     _tell(_CORE.sph2d_vorticity(len(out), *(array.ctypes.data for array in arrays), space.spacing,
                                 out.ctypes.data, ctypes.byref(report)), report)
     return out
+
+
+def devices() -> List[Device]:
+    """The devices with OpenCL 1.2 that can take the steps of a Simulation in place of the processor, in the order of their
+    numbers; empty where there are none, or no OpenCL."""
+    room = (_STRUCT["device"] * _CORE.sph2d_devices(None, 0))()
+    count = _CORE.sph2d_devices(ctypes.addressof(room), len(room))
+    return [_python(made) for made in room[:count]]
 
 
 def _word_index(name, word):

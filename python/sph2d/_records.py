@@ -144,6 +144,23 @@ class Boundary(NamedTuple):
     top: str
 
 
+class Device(NamedTuple):
+    """What can take the steps in place of the processor: the fields of sph2d_device, documented in sph2d/device.h.
+
+    gpu: whether it is a graphics card; same_bits: whether it makes the bits of the processor's "baseline"; lacks: what a
+    run needs and it does not have, "" for nothing; memory: in all, and largest: of one block, which holds a run [bytes]."""
+
+    name: str
+    platform: str
+    driver: str
+    gpu: bool
+    same_bits: bool
+    lacks: str
+    units: int
+    memory: float
+    largest: float
+
+
 class Densities(NamedTuple):
     """Mean density inside the liquid over rest density, and how much room the liquid takes.
 

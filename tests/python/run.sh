@@ -12,6 +12,8 @@ fi
 python=$1
 SPH2D_LIBRARY_DIR=$(realpath "$2")
 export SPH2D_LIBRARY_DIR
+# What devices compile stays in the build.
+export POCL_CACHE_DIR="${POCL_CACHE_DIR-$SPH2D_LIBRARY_DIR/pocl}"
 # The caches of modules do not belong into the source, and freed memory has other bytes.
 export PYTHONDONTWRITEBYTECODE=1 PYTHONMALLOC=debug MALLOC_PERTURB_=165 LC_ALL=C.UTF-8 MPLBACKEND=agg
 shift 2

@@ -122,9 +122,13 @@ class Nonsense(common.InFolder):
             yield kind, f"shape{member}|a shape", lambda v, shape=shape: sim.remove_particles(shape(v))
         yield from (("flag", "contacts", lambda v: sph2d.Simulation(tank(), contacts=v)),
                     ("flag", "contacts", lambda v: snapshot.resume(contacts=v)),
+                    ("flag", "same_bits", lambda v: sph2d.Simulation(tank(), same_bits=v)),
+                    ("flag", "same_bits", lambda v: snapshot.resume(same_bits=v)),
                     ("flag", "checked", lambda v: sph2d.Snapshot("state.h5", v)),
                     ("whole", "threads", lambda v: sph2d.Simulation(tank(), threads=v)),
                     ("whole", "threads", lambda v: snapshot.resume(threads=v)),
+                    ("whole", "device", lambda v: sph2d.Simulation(tank(), device=v)),
+                    ("whole", "device", lambda v: snapshot.resume(device=v)),
                     ("whole", "compress", lambda v: sim.write_snapshot("a.h5", v)),
                     ("word", "isa", lambda v: sph2d.Simulation(tank(), isa=v)),
                     ("word", "Masses", sim.field), ("word", "Masses", snapshot.field),

@@ -44,7 +44,7 @@ class Types(common.InFolder):
                 self.assertIn(type(value), allowed, name)
 
     def test_records_are_the_structs(self):
-        self.assertEqual(len(sph2d._RECORDS), 7)
+        self.assertEqual(len(sph2d._RECORDS), 8)
         for struct, record in sph2d._RECORDS.items():
             name = struct.__name__[len("sph2d_"):]
             fields = [field for field, _ in struct._fields_ if field not in WITHOUT.get(name, ())]
@@ -54,7 +54,7 @@ class Types(common.InFolder):
         sim = sph2d.Simulation(raft())
         sim.step()
         sim.write_snapshot("a.h5")
-        for record in (sim.summary(), sim.plan, sim.body(0), sim.densities(), sph2d.Snapshot("a.h5").info):
+        for record in (*sph2d.devices(), sim.summary(), sim.plan, sim.body(0), sim.densities(), sph2d.Snapshot("a.h5").info):
             self.check(record)
         with self.assertRaises(sph2d.Error) as caught:
             sph2d.Scene({"spacing": 1})
