@@ -24,6 +24,7 @@
     X(flows_channels)                                                                                                  \
     X(flows_free)                                                                                                      \
     X(parallel)                                                                                                        \
+    X(device)                                                                                                          \
     X(store)                                                                                                           \
     X(cells)                                                                                                           \
     X(periodic)                                                                                                        \
