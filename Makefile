@@ -165,7 +165,7 @@ PROGRAM_PARTS := $(wildcard src/*/*.cl src/device/clc/*.h src/device/clc/*/*.h)
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \
-    tests/golden/*.sh tests/python/*.sh tests/cmake/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/words.sh tests/symbols.sh tests/units.sh tests/mutants.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
+    tests/golden/*.sh tests/device/*.sh tests/python/*.sh tests/cmake/*.sh tests/adding.sh tests/limit.sh tests/circles.sh tests/words.sh tests/symbols.sh tests/units.sh tests/mutants.sh tests/faults/*.sh tests/fuzz/*.sh tests/coverage/*.sh tests/slurm/*.sh tests/recipes/*.sh examples/*.sh))
 
 # Objects live in a folder named after compiler and flags, so that variants never mix; `variant` changes, and everything
 # is linked again, when these or the list of files do.
@@ -176,7 +176,7 @@ FLAGS_HASH := $(call hash,$(CC) $(COMPILER) $(MACHINE) $(ALL_CPPFLAGS) $(ALL_CFL
 OBJ := $(BUILD)/obj/$(FLAGS_HASH)
 VARIANT := $(FLAGS_HASH)-$(call hash,$(WITH_SHARED) $(AR) $(ALL_LDFLAGS) $(IO_LIBS) $(CONTACTS_LIBS) $(RENDER_LIBS) $(LDLIBS) \
     $(CORE_SRC) $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) $(RENDER_SRC) $(CLI_SRC) $(TEST_SRC) $(BENCH_SRC) \
-    $(STRANGERS_SRC) $(HARD_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(SHADERS))
+    $(STRANGERS_SRC) $(HARD_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(SHADERS) $(PROGRAMS))
 
 objects = $(patsubst %.c,$(OBJ)/%.o,$(1))
 PASS_OBJ := $(foreach i,$(ISAS),$(PASS_SRC:%.c=$(OBJ)/%.$(i).o))
@@ -325,7 +325,7 @@ FORCE:
 # are found again as long as the source is the same.
 COMMIT = $(or $(if $(wildcard .git),$(shell git -c safe.directory="*" describe --always --dirty --abbrev=12 --exclude '*' 2>/dev/null)),none)
 TOLD_CFLAGS = $(subst ",,$(strip $(filter-out -W% -D% -I%,$(ALL_CFLAGS) $(CFLAGS))))
-SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] src/methods/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]))
+SOURCE_FILES = $(sort $(wildcard src/*/*.[ch] src/methods/*/*.[ch] include/sph2d/*.h cli/*.[ch] cli/study/*.[ch]) $(PROGRAMS) $(PROGRAM_PARTS))
 $(BUILD)/gen/build_info.h: FORCE
 	@mkdir -p $(@D) && printf '#define BUILD_%s "%s"\n' COMPILER '$(COMPILER)' FLAGS '$(TOLD_CFLAGS)' \
 	    COMMIT '$(COMMIT)' SOURCE "$$(cat $(SOURCE_FILES) | cksum | tr ' ' -)" >$@.new && \
@@ -396,6 +396,8 @@ demo: $(BUILD)/sph2d ## build, simulate a dam break, render it (installs missing
 GOLDEN := $(if $(or $(SANITIZE),$(CLANG),$(CFLAGS)),,$(X86))
 # Calls are made to fail by the names that glibc has for them; sanitizers have their own.
 FAULTS := $(if $(SANITIZE),,$(if $(findstring linux-gnu,$(MACHINE)),$(addprefix $(BUILD)/tests/faults_,shim.so library)))
+# What pocl, the device of the tests, compiles stays in the build.
+test test-full: export POCL_CACHE_DIR = $(abspath $(BUILD)/pocl)
 test test-full: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test test-full: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
 test test-full: export ASAN_OPTIONS ?= allocator_may_return_null=1
@@ -437,6 +439,7 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	$(if $(SANITIZE),,$(call stage,tests/cmake/cmake.sh $(BUILD)/cmake '$(THIS_MAKE)' '$(BUILD)' '$(CC)'))
 	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
+	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) "$$(nproc)"))
 	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
 	$(last_stage)
 
@@ -548,6 +551,10 @@ golden: $(BUILD)/tests/golden ## renews tests/golden/hashes, in a commit that sa
 
 test-same-bits: $(BUILD)/tests/golden ## that 1, 2, 3, 5 and 8 threads give the same bits (20 minutes)
 	$(hush)tests/golden/threads.sh $(BUILD)/tests/golden $(BUILD)/same-bits "$$(nproc)"
+
+DEVICE ?= $(error make test-device DEVICE=N: a number of `sph2d devices`)
+test-device: $(BUILD)/sph2d $(BUILD)/tests/golden ## that a device makes the processor's bits: every example for 1,000 steps; DEVICE=1
+	$(hush)tests/device/bits.sh $(BUILD) 1 $(DEVICE) 1000 1e9
 
 test-package: ## the source archive, and its Debian packages built, checked and used in fresh systems (15 minutes, as root)
 	$(hush)tests/package/package.sh --needs
@@ -724,7 +731,7 @@ check-walls: ## no folder includes what it must not know
 	        *) shift; bad="$$* files study contacts render";; esac; \
 	    case $$d in methods/common|methods/terms) ;; methods/*) bad="$$bad $(METHOD_DIRS)";; esac; \
 	    for b in $$bad; do \
-	        test $$b = $$d || ! grep -nsE "#include [<\"]$$b/[a-z_]+\.h" src/$$d/*.[ch] || exit 1; \
+	        test $$b = $$d || ! grep -nsE "#include [<\"]$$b/[a-z_]+\.(h|cl)" src/$$d/*.[ch] src/$$d/*.cl || exit 1; \
 	    done; \
 	done; ! grep -rn '#include ".*\.\./\(src\|include\)/' cli || exit 1; \
 	! grep -n '#include "study/' cli/*.[ch] || exit 1; echo 'walls: ok'
@@ -801,7 +808,7 @@ help: ## this list
 	    '  BUILD=build RENDER=0 OPENMP=0 SHARED=1 WERROR=1 SANITIZE=address,undefined V=1 DEPS=skip (never install packages)' \
 	    '  CK_TIMEOUT_MULTIPLIER=5 (limits of time of tests, for a busy machine)'
 
-.PHONY: all lib lib-core cli examples packages demo test golden test-same-bits test-sanitize test-threads threads-run \
+.PHONY: all lib lib-core cli examples packages demo test golden test-same-bits test-device test-sanitize test-threads threads-run \
     test-valgrind test-ports test-foretold test-mutants test-full test-variants bench bench-command strangers strangers-dozen test-restarts \
     test-kills test-long test-recipes test-slurm test-hard hard-docs test-package test-faults test-fuzz fuzz-run coverage \
     coverage-run bench-instructions bench-variants bench-frames report report-full report-docs scene-docs python-docs gallery check-headers \

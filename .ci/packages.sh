@@ -19,6 +19,8 @@ missing_tools() {
     [ "$OPENMP" = 0 ] || echo '#include <omp.h>' | $CC -fopenmp -E - >/dev/null 2>&1 || echo libomp-dev
     ! asked report report-full test test-full test-variants || has gnuplot || echo gnuplot-nox
     ! asked test test-full test-variants || has cmake || echo cmake
+    ! asked test test-full test-variants test-sanitize || [ -e /etc/OpenCL/vendors/pocl.icd ] || echo pocl-opencl-icd
+    ! asked test test-full test-variants test-sanitize || PATH=$PATH:/sbin ldconfig -p | grep -q 'libOpenCL\.so\.1 ' || echo ocl-icd-libopencl1
     ! asked test test-full test-variants || has hunspell || printf 'hunspell\nhunspell-en-gb\n'
     if asked test test-full test-variants && [ "$RENDER" != 0 ]; then
         has Xvfb || echo xvfb

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /** @file absent.c
- *  What a page does not have: snapshots, drawings, files. */
+ *  What a page does not have: snapshots, drawings, files, devices, threads. */
 #include <emscripten.h>
 #include <stddef.h>
 
 #include "../play/game.h"
 #include "../play/turn.h"
 #include "files/table_kind.h"
+#include "sim/device_steps.h"
 
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 
@@ -58,6 +59,46 @@ void game_film_frame(game *g, sph2d_renderer *renderer, unsigned width, unsigned
     (void)width;
     (void)height;
 }
+
+/* ---- devices ----------------------------------------------------------------------------------------------------- */
+
+sph2d_status sph2d__device_start(sph2d_sim *sim, int number, bool same_bits, sph2d_report *report)
+{
+    (void)sim;
+    (void)same_bits;
+    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_UNSUPPORTED, NULL, "a page has no device %d", number);
+    return SPH2D_INVALID;
+}
+
+void sph2d__device_end(sph2d_sim *sim)
+{
+    (void)sim;
+}
+
+sph2d_status sph2d__device_check(const sph2d_sim *sim, sph2d_report *report)
+{
+    (void)sim;
+    (void)report;
+    return SPH2D_OK;
+}
+
+void sph2d__host_changed(const sph2d__system *system, sph2d__set arrays)
+{
+    (void)system;
+    (void)arrays;
+}
+
+void sph2d__host_changed_points(const sph2d__system *system)
+{
+    (void)system;
+}
+
+void sph2d__host_changed_walls(const sph2d__system *system)
+{
+    (void)system;
+}
+
+/* ---- threads ----------------------------------------------------------------------------------------------------- */
 
 /* A page has no threads: nobody starts a worker. */
 void worker_begin(worker *w)

@@ -6,10 +6,10 @@ EMCC ?= emcc
 # Where Debian's Emscripten finds its helpers.
 WEB_ENV := NODE_PATH=/usr/share/nodejs NODE_OPTIONS=
 WEB_LIBS := $(WEB)/sources
-# Snapshots are HDF5, which a page has no use for; absent.c refuses them, and drawings, which are files. Streamlines would
-# take 3 of its 470 kB.
+# Snapshots are HDF5, which a page has no use for; absent.c refuses them, and drawings, which are files, and devices, whose
+# OpenCL no browser has. Streamlines would take 3 of its 470 kB.
 WEB_WITHOUT := src/files/drawing.c src/files/svg_% src/files/h5_% src/files/snapshot% src/files/parameters% src/files/series.c \
-    src/render/streamlines.c src/render/png_file.c src/render/gl_context_egl.c src/render/gl_context_osmesa.c
+    src/device/% src/methods/common/on_device.c src/sim/device_steps.c src/render/streamlines.c src/render/png_file.c src/render/gl_context_egl.c src/render/gl_context_osmesa.c
 WEB_SRC := $(filter-out $(WEB_WITHOUT),$(CORE_SRC) $(IO_SRC) $(CONTACTS_SRC) $(RENDER_SRC)) \
     cli/frame.c cli/frame_field.c cli/frame_paths.c cli/text.c cli/json.c $(addprefix cli/play/,camera.c drawn.c game.c grip.c hand.c keys.c lists.c live.c live_bodies.c \
         nozzle.c past.c quantities.c show.c sketch.c turn.c) \
@@ -17,7 +17,7 @@ WEB_SRC := $(filter-out $(WEB_WITHOUT),$(CORE_SRC) $(IO_SRC) $(CONTACTS_SRC) $(R
 WEB_GEN := $(BUILD)/gen/shaders.c $(BUILD)/gen/play_scenes.c
 WEB_OBJ := $(patsubst %.c,$(WEB)/obj/%.o,$(filter-out $(PASS_SRC),$(WEB_SRC)) $(WEB_GEN:$(BUILD)/%=%)) \
     $(PASS_SRC:%.c=$(WEB)/obj/%.baseline.o)
-WEB_FLAGS := -std=c17 -D_POSIX_C_SOURCE=200809L -DNDEBUG -DSPH2D__SMALL -msimd128 -fno-math-errno -ffp-contract=off -MMD -MP \
+WEB_FLAGS := -std=c17 -D_POSIX_C_SOURCE=200809L -DNDEBUG -DSPH2D__SMALL -DSPH2D__NO_DEVICE -msimd128 -fno-math-errno -ffp-contract=off -MMD -MP \
     -Wno-unknown-pragmas -Wno-pass-failed -Iinclude -Isrc -Icli -I$(BUILD)/gen -I$(WEB)/headers \
     -I$(WEB_LIBS)/libfyaml/include -I$(WEB_LIBS)/chipmunk/include
 # What takes the time of steps is compiled for speed, all else for size.

@@ -98,7 +98,7 @@ static void read_scene(const char *path, const char *method, double spacing, sph
 static void read_small(const char *path, const char *method, sph2d_scene_file **file)
 {
     read_scene(path, method, 0, file);
-    if (!*file)
+    if (!*file || (wanted.device > 0 && sph2d_device_refuses(sph2d_scene_file_scene(*file))))
         return;
     const sph2d_scene *scene = sph2d_scene_file_scene(*file);
     sph2d_plan plan;
