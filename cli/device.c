@@ -133,6 +133,13 @@ char *device_describe(char out[TEXT_DEVICE_SIZE], const device_choice *choice)
     return out;
 }
 
+void device_tell(const device_choice *choice)
+{
+    char text[TEXT_DEVICE_SIZE];
+    if (choice->number > 0)
+        message_note("the steps are taken by %s", device_describe(text, choice));
+}
+
 const char *device_name(const device_choice *choice)
 {
     return choice->number > 0 ? choice->about.name : "cpu";

@@ -27,6 +27,9 @@ int device_choose_apart(device_choice *choice, const cli_options *options);
 /** Sets the options of simulations. */
 void device_set(sph2d_sim_options *sim, const device_choice *choice);
 
+/** Says what takes the steps, unless it is the processor. */
+void device_tell(const device_choice *choice);
+
 /** "device 1 (NVIDIA H200)", or "" for the processor. Returns `out`. */
 char *device_describe(char out[TEXT_DEVICE_SIZE], const device_choice *choice);
 

@@ -63,9 +63,7 @@ static void report_start(const cli_session *s)
     message_note("%s: %zu particles, %zu in walls, from t = %g s to %g s", sph2d_sim_scene(s->sim)->name,
                  sph2d_sim_fluid(s->sim).count, sph2d_sim_walls(s->sim).count, sph2d_sim_time(s->sim),
                  sph2d_sim_scene(s->sim)->run.until);
-    char device[TEXT_DEVICE_SIZE];
-    if (s->device.number > 0)
-        message_note("the steps are taken by %s", device_describe(device, &s->device));
+    device_tell(&s->device);
     message_detail("support radius %g m, sound speed %g m/s (%s)", plan->support_radius, plan->sound_speed,
                    plan->sound_speed_formula);
     char in_use[TEXT_SIZE];

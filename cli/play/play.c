@@ -127,8 +127,10 @@ int command_play(const cli_options *options)
     device_set(&sim_options, &device);
     game g;
     code = open_game(&g, options, &sim_options);
-    if (code == CLI_EXIT_SUCCESS)
+    if (code == CLI_EXIT_SUCCESS) {
+        device_tell(&device);
         code = play(&g);
+    }
     game_close(&g);
     return code;
 }
