@@ -136,8 +136,8 @@ int session_run(cli_session *s, saved_in saved)
             message_note("stopped by %s at t = %g s; 'sph2d resume %s' continues", end_name(&result),
                          sph2d_sim_time(s->sim), folder);
         if (result.end == LOOP_FAILED && outputs.saved != SAVED_NOWHERE)
-            message_note("what was written before is complete; when there is room or memory again, 'sph2d resume %s' "
-                         "continues",
+            message_note("what was written before is complete; %s, 'sph2d resume %s' continues",
+                         result.status == SPH2D_DEVICE ? "with --device cpu" : "when there is room or memory again",
                          folder);
         if (result.end == LOOP_GUARD)
             tell_saved(s);

@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "common.h"
+#include "device/device.h"
+#include "sim/simulation.h"
 #include "sph2d/device.h"
 #include "sph2d/io.h"
 
@@ -254,6 +256,35 @@ START_TEST(a_state_of_another_instruction_set)
 }
 END_TEST
 
+/* ---- a device that fails ----------------------------------------------------------------------------------------- */
+
+/** The run ends, says why and when, and what was known before can still be asked for. */
+START_TEST(a_failure_ends_the_run)
+{
+    static sph2d_report report;
+    sph2d_scene_file *file = read_scene(scenes[1]);
+    sph2d_sim *sim = create(sph2d_scene_file_scene(file), true);
+    test_steps(sim, 3);
+    sph2d__device_give_up(sim->system.device, "it was taken away");
+    sph2d_report_clear(&report);
+    ck_assert_int_eq(sph2d_sim_step(sim, &report), SPH2D_DEVICE);
+    ck_assert_uint_eq(report.errors, 1);
+    ck_assert_int_eq(report.items[0].code, SPH2D_CODE_DEVICE);
+    ck_assert_msg(strstr(report.items[0].message, "it was taken away"), "%s", report.items[0].message);
+    ck_assert_int_eq(sph2d_sim_step(sim, NULL), SPH2D_DEVICE);
+    ck_assert_uint_eq(sph2d_sim_fluid(sim).count, sim->system.fluid.count);
+    sph2d_sample sample;
+    sph2d_sim_sample(sim, (sph2d_vec2){0.3, 0.1}, &sample);
+    (void)sph2d_sim_summary(sim);
+    for (size_t k = 0; k < sph2d_sim_scene(sim)->probe_count; ++k) {
+        double values[SPH2D_PROBE_MAX_COLUMNS];
+        sph2d_sim_probe(sim, k, values);
+    }
+    sph2d_sim_destroy(sim);
+    sph2d_scene_file_destroy(file);
+}
+END_TEST
+
 /* ---- refusals ---------------------------------------------------------------------------------------------------- */
 
 static void refused(const char *text, const sph2d_sim_options *options, sph2d_status wanted, const char *said)
@@ -340,6 +371,7 @@ Suite *suite_device(void)
     tcase_add_test(tests, scenes_that_no_device_takes);
     tcase_add_test(tests, options_that_cannot_be);
     tcase_add_test(tests, the_list_of_devices);
+    tcase_add_test(tests, a_failure_ends_the_run);
     suite_add_tcase(suite, tests);
     return suite;
 }
