@@ -5,6 +5,8 @@
 
 #include <inttypes.h>
 
+#include <sph2d/device.h>
+
 #include "clock.h"
 #include "exit.h"
 
@@ -132,6 +134,8 @@ loop_result loop_run(sph2d_sim *sim, cli_outputs *o, cli_progress *p, double dea
         outputs_write_guard(o, report);
     } else if (result.end != LOOP_FAILED) {
         sph2d_status status = outputs_finish(o, result.end != LOOP_FINISHED, report);
+        if (status == SPH2D_OK)
+            status = sph2d_sim_device_status(sim, report); /* the last probes may have had old particles */
         if (status != SPH2D_OK)
             fail(&result, status);
     } else {

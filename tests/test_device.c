@@ -4,6 +4,7 @@
  *  refused, and why. They need a device that rounds as the processor does; Debian's pocl-opencl-icd is one. */
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "common.h"
 #include "device/device.h"
@@ -265,7 +266,12 @@ START_TEST(a_failure_ends_the_run)
     sph2d_scene_file *file = read_scene(scenes[1]);
     sph2d_sim *sim = create(sph2d_scene_file_scene(file), true);
     test_steps(sim, 3);
+    ck_assert_int_eq(sph2d_sim_device_status(sim, NULL), SPH2D_OK);
     sph2d__device_give_up(sim->system.device, "it was taken away");
+    ck_assert_int_eq(sph2d_sim_device_status(sim, NULL), SPH2D_DEVICE);
+    ck_assert_uint_eq(sph2d_sim_state(sim).array_count, 0); /* it would be one of two steps */
+    ck_assert_int_eq(sph2d_snapshot_write(sim, file, 0, "a.h5", NULL), SPH2D_DEVICE);
+    ck_assert_int_ne(access("a.h5", F_OK), 0);
     sph2d_report_clear(&report);
     ck_assert_int_eq(sph2d_sim_step(sim, &report), SPH2D_DEVICE);
     ck_assert_uint_eq(report.errors, 1);

@@ -78,6 +78,7 @@ START_TEST(simulations)
     UNKNOWN(sph2d_shape_centroid(NULL).x);
     NOTHING(sph2d_shape_corners(NULL, 1, NULL));
     REFUSED("sim", sph2d_sim_step(NULL, &report));
+    REFUSED("sim", sph2d_sim_device_status(NULL, &report));
     REFUSED("sim", sph2d_sim_run(NULL, never, NULL, &report));
     REFUSED("go_on", sph2d_sim_run(sim, NULL, NULL, &report));
     REFUSED_SILENTLY(sph2d_sim_set_gravity(NULL, at));

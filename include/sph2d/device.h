@@ -56,6 +56,10 @@ SPH2D_API sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim);
 /** Memory in use on the device of a simulation [bytes]; 0 on the processor. The first step takes most of it. */
 SPH2D_API size_t sph2d_sim_device_memory(const sph2d_sim *sim);
 
+/** Whether the device of a simulation works; SPH2D_OK on the processor, too. What is asked of the particles after a step has to be
+ *  fetched: where that fails, numbers are old, and only this and the next step say so. Errors: SPH2D_DEVICE. */
+SPH2D_API sph2d_status sph2d_sim_device_status(const sph2d_sim *sim, sph2d_report *report);
+
 #ifdef __cplusplus
 }
 #endif

@@ -34,7 +34,8 @@ typedef struct sph2d_state {
 } sph2d_state;
 
 /** The state of a simulation. Nothing is copied: arrays are valid until the next call that changes `sim`. No arrays when
- *  memory is short, nor after a step that returned SPH2D_NOMEM: it ended in the middle, from which nothing can go on. */
+ *  memory is short, nor after a step that returned SPH2D_NOMEM: it ended in the middle, from which nothing can go on; nor when
+ *  the device has failed (sph2d_sim_device_status()). */
 SPH2D_API sph2d_state sph2d_sim_state(sph2d_sim *sim);
 
 /** Creates a simulation that continues from `state`, whose data is copied. Every array is validated: presence, shape,

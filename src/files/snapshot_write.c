@@ -12,6 +12,7 @@
 #include "base/number.h"
 #include "files/h5_file.h"
 #include "files/snapshot.h"
+#include "sph2d/device.h"
 
 /* ---- metadata: not when, where or by how many threads it is written ---------------------------------------------- */
 
@@ -176,6 +177,8 @@ sph2d_status sph2d_snapshot_begin(sph2d_sim *sim, const sph2d_scene_file *file, 
     }
     sph2d_state state = sph2d_sim_state(sim);
     sph2d__c_locale locale;
+    if (sph2d_sim_device_status(sim, report) != SPH2D_OK)
+        return SPH2D_DEVICE;
     if (!state.arrays || !sph2d__c_locale_begin(&locale))
         return SPH2D_NOMEM;
     sph2d_snapshot_draft *self = calloc(1, sizeof *self);

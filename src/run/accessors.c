@@ -3,9 +3,11 @@
  *  Accessors of a simulation's values, and steering during a run. */
 #include <math.h>
 
+#include "base/null.h"
 #include "device/device.h"
 #include "methods/common/on_device.h"
 #include "run/run.h"
+#include "sim/device_steps.h"
 #include "sim/simulation.h"
 #include "sph2d/device.h"
 
@@ -91,6 +93,11 @@ sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim)
 size_t sph2d_sim_device_memory(const sph2d_sim *sim)
 {
     return sim && sph2d__is_on_device(&sim->system) ? sph2d__device_bytes(sim->system.device) : 0;
+}
+
+sph2d_status sph2d_sim_device_status(const sph2d_sim *sim, sph2d_report *report)
+{
+    return sim ? sph2d__device_check(sim, report) : sph2d__null(report, __func__, "sim");
 }
 
 const sph2d_scene *sph2d_sim_scene(const sph2d_sim *sim)
