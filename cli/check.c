@@ -289,6 +289,7 @@ static void print_table(const checked *c)
 {
     const sph2d_plan *plan = &c->plan;
     char memory[TEXT_SIZE], disk[TEXT_SIZE], duration[TEXT_SIZE], cpu[TEXT_SIZE], in_use[TEXT_SIZE];
+    char by[TEXT_DEVICE_SIZE];
     text_row("scene", "%s: no errors", c->scene->name);
     print_active(sph2d_sim_scene(c->sim));
     text_row("particles", "%zu in the liquid, %zu in walls", plan->fluid_particles, plan->wall_particles);
@@ -314,8 +315,10 @@ static void print_table(const checked *c)
     text_row("frames", "%.0f of %u x %u", plan->frames, (unsigned)c->scene->run.frames.size[0],
              (unsigned)c->scene->run.frames.size[1]);
     if (c->steps_measured > 0)
-        text_row("time", "about %s, %s CPU, without outputs; with %s", text_seconds(duration, c->seconds),
-                 text_seconds(cpu, c->cpu), threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
+        text_row("time", "about %s, %s CPU, without outputs; %s%s", text_seconds(duration, c->seconds),
+                 text_seconds(cpu, c->cpu), c->device.number > 0 ? "by " : "with ",
+                 c->device.number > 0 ? device_describe(by, &c->device)
+                                      : threads_describe(in_use, sph2d_sim_threads(c->sim), &c->threads));
 }
 
 /* All that is known of a scene whose start was not tried. */

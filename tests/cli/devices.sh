@@ -48,6 +48,7 @@ done
 expect 0 "$SPH2D" check "$TINY" -s method=hybrid --device cpu
 
 expect 0 "$SPH2D" check "$TINY" --device "$device" --same-bits && prints "^device  *$device, $name, with the bits of baseline$"
+prints "^time  *about .*; by device $device ($name)$"
 prints 'iB of its memory, which gives .*iB at most$'
 expect 0 "$SPH2D" check "$TINY" --device "$device" --json && prints "\"device\": \"$name\", \"device_memory_bytes\": [1-9]"
 expect 0 "$SPH2D" check "$TINY" --json && prints '"device": "cpu", "device_memory_bytes": 0'

@@ -29,6 +29,8 @@ export -f go
 
 # Computes for long, or sets limits, or draws.
 left_out='flows|muller_energy|periodic|rest|impacts|solver_limits|features|walls|scene_text|packing|packing_rest|extremes|settings|outputs'
+# pocl's compiler, and what that makes, are not ours.
+left_out+='|device'
 left_out+='|sample|probes|elevation|render|drawing|shapes|balls|frame_times|null_render'
 # shellcheck disable=SC2016 # the inner shell expands it
 {
