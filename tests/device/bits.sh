@@ -29,7 +29,7 @@ export device particles build
 grep -lx 'blocks:\|sources:' examples/*/*.yaml | while read -r scene; do
     short=${scene#examples/} && short=${short%.yaml}
     some=$steps
-    [ "$short" != burst/scene ] || some=$((steps / 10)) # 16,384 particles, and not fewer
+    [ "$short$particles" != burst/scene200 ] || some=$((steps / 10)) # 16,384 particles, and not fewer
     printf '%s\0%s\0%s\0%s\0' "$scene" "$short" "$some" "$out/lines/${short/\//.}"
 done | xargs -0 -n 4 -P "$jobs" \
     sh -c '"$build/tests/golden" --device "$device" "$0" "$1" "$2" "$particles" 1 >"$3"' || code=1
