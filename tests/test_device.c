@@ -291,6 +291,55 @@ START_TEST(a_failure_ends_the_run)
 }
 END_TEST
 
+/* ---- memory ------------------------------------------------------------------------------------------------------ */
+
+/** How many allocations are left until one fails, and the bytes that are held. */
+typedef struct budget {
+    long left;
+    size_t held;
+} budget;
+
+static void *take_memory(void *user, void *block, size_t old_size, size_t new_size)
+{
+    budget *b = user;
+    if (new_size > 0 && b->left-- <= 0)
+        return NULL;
+    void *fresh = test_resize(block, old_size, new_size);
+    b->held += new_size - old_size;
+    return fresh;
+}
+
+/** Runs until an allocation fails; true when none has. */
+static bool run_within(const sph2d_scene *scene, budget *b)
+{
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.device = number();
+    options.allocator = (sph2d_allocator){take_memory, b};
+    sph2d_sim *sim = NULL;
+    sph2d_status status = sph2d_sim_create(scene, &options, &sim, NULL);
+    ck_assert_msg(status == SPH2D_OK || (status == SPH2D_NOMEM && !sim), "%s", sph2d_status_name(status));
+    for (int k = 0; k < 3 && status == SPH2D_OK; ++k)
+        status = sph2d_sim_step(sim, NULL);
+    (void)sph2d_sim_summary(sim);
+    (void)sph2d_sim_fluid(sim);
+    sph2d_sim_destroy(sim);
+    ck_assert_uint_eq(b->held, 0);
+    ck_assert_msg(status == SPH2D_OK || status == SPH2D_NOMEM, "%s", sph2d_status_name(status));
+    return status == SPH2D_OK;
+}
+
+START_TEST(each_allocation_fails_once)
+{
+    sph2d_scene_file *file = read_scene(loaded);
+    for (long most = 0;; ++most) {
+        budget b = {.left = most};
+        if (run_within(sph2d_scene_file_scene(file), &b))
+            break;
+    }
+    sph2d_scene_file_destroy(file);
+}
+END_TEST
+
 /* ---- refusals ---------------------------------------------------------------------------------------------------- */
 
 static void refused(const char *text, const sph2d_sim_options *options, sph2d_status wanted, const char *said)
@@ -378,6 +427,7 @@ Suite *suite_device(void)
     tcase_add_test(tests, options_that_cannot_be);
     tcase_add_test(tests, the_list_of_devices);
     tcase_add_test(tests, a_failure_ends_the_run);
+    tcase_add_test(tests, each_allocation_fails_once);
     suite_add_tcase(suite, tests);
     return suite;
 }

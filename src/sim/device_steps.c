@@ -61,7 +61,9 @@ static sph2d_status check_layout(sph2d_sim *sim, sph2d_report *report)
     const uint64_t *its = sph2d__device_results(sim->system.device, "layout", 1, NULL, 0, 0, sizeof own);
     if (sph2d__device_check(sim, report) != SPH2D_OK)
         return SPH2D_DEVICE;
-    if (its && memcmp(its, own, sizeof own) == 0)
+    if (!its)
+        return SPH2D_NOMEM;
+    if (memcmp(its, own, sizeof own) == 0)
         return SPH2D_OK;
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL,
                      "%s: its compiler lays out data otherwise than the host's",
