@@ -404,7 +404,8 @@ static unsigned send_numbers(sph2d__device *d, const void *numbers, size_t bytes
     d->slot = (d->slot + 1) % SLOTS;
     if (d->slot == 0 && d->error == CL_SUCCESS) /* the driver may not have read all of them yet */
         fail(d, d->cl->clFinish(d->queue), "waiting");
-    memcpy(d->slots[d->slot], numbers, bytes);
+    if (bytes > 0)
+        memcpy(d->slots[d->slot], numbers, bytes);
     if (d->error == CL_SUCCESS && bytes > 0)
         fail(d,
              d->cl->clEnqueueWriteBuffer(d->queue, d->numbers, 0, (size_t)d->slot * SLOT, bytes, d->slots[d->slot], 0,
