@@ -97,6 +97,7 @@ START_TEST(simulations)
     NOTHING(sph2d_sim_time(NULL) != 0 || sph2d_sim_time_step(NULL) != 0);
     NOTHING(sph2d_sim_steps(NULL) + (uint64_t)sph2d_sim_threads(NULL) + sph2d_sim_memory(NULL) +
             sph2d_sim_device_memory(NULL));
+    ck_assert_uint_eq(sph2d_sim_device_use(NULL).launches, 0);
     NOTHING(sph2d_sim_isa(NULL));
     NOTHING(sph2d_sim_scene(NULL));
     NOTHING(sph2d_sim_plan(NULL));

@@ -266,7 +266,7 @@ uint64_t sph2d__device_place(sph2d__device *d, const void *host, size_t bytes, s
 /** Makes an arena for the blocks of the list, with what the device has of them. */
 static void grow(sph2d__device *d)
 {
-    const cl_mem old = d->arena;
+    cl_mem old = d->arena;
     cl_int error = CL_SUCCESS;
     size_t bytes = LINE; /* offset 0 is no block */
     for (size_t k = 0; k < MOST_BLOCKS; ++k)
@@ -443,7 +443,7 @@ void sph2d__device_numbers(sph2d__device *d, const void *numbers, size_t bytes)
 static void launch(sph2d__device *d, const char *name, size_t count, const void *arguments, size_t bytes,
                    unsigned writes)
 {
-    const cl_kernel kernel = kernel_named(d, name);
+    cl_kernel kernel = kernel_named(d, name);
     send_old(d);
     const uint64_t numbers = (uint64_t)d->numbers_slot * SLOT, own = (uint64_t)send_numbers(d, arguments, bytes) * SLOT,
                    items = count, at = d->waiting_bytes;

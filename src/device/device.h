@@ -44,7 +44,7 @@ bool sph2d__device_failed(const sph2d__device *device, const char **why, const c
 /** Begins a new list of blocks: when the buffer grows, those that are not placed again are forgotten. */
 void sph2d__device_list(sph2d__device *device);
 /** The offset of a block, which is new or in the list before, with room for it. */
-uint64_t sph2d__device_place(sph2d__device *device, const void *block, size_t bytes, sph2d__owner owner);
+uint64_t sph2d__device_place(sph2d__device *device, const void *host, size_t bytes, sph2d__owner owner);
 /** Ends the list; true when the blocks have moved, so that their offsets have to be asked for once more. */
 bool sph2d__device_moved(sph2d__device *device);
 
@@ -55,7 +55,7 @@ void sph2d__device_forget_numbers(sph2d__device *device);
 /** Whether the host had the same numbers at the last call with this place; notes them. */
 bool sph2d__device_knows(sph2d__device *device, size_t at, const void *numbers, size_t bytes);
 /** The offset of a block that is placed; 0: there is none. */
-uint64_t sph2d__device_offset_of(const sph2d__device *device, const void *block);
+uint64_t sph2d__device_offset_of(const sph2d__device *device, const void *host);
 
 /** What a kernel is run with: numbers that all of its threads read, the same until they are set anew. */
 void sph2d__device_numbers(sph2d__device *device, const void *numbers, size_t bytes);
@@ -78,17 +78,17 @@ void sph2d__device_results_later(sph2d__device *device, const char *kernel, size
 void sph2d__device_settle(sph2d__device *device);
 
 /** Before the host reads a block: waits until it is there. Of blocks that are in no list nothing is known, and nothing is done. */
-void sph2d__device_fetch(sph2d__device *device, void *block);
+void sph2d__device_fetch(sph2d__device *device, void *host);
 /** After the host has changed blocks of some owners, which it has fetched before. */
 void sph2d__device_changed(sph2d__device *device, unsigned owners);
 
 /** A kernel has changed a block by arguments; or the host one, alone. */
-void sph2d__device_changed_on(sph2d__device *device, void *block);
-void sph2d__device_changed_one(sph2d__device *device, void *block);
+void sph2d__device_changed_on(sph2d__device *device, void *host);
+void sph2d__device_changed_one(sph2d__device *device, void *host);
 
 /** Where a kernel may write a block anew while others read what it was, and the end of that: the two change places. */
-uint64_t sph2d__device_spare(sph2d__device *device, const void *block);
-void sph2d__device_swap(sph2d__device *device, const void *block);
+uint64_t sph2d__device_spare(sph2d__device *device, const void *host);
+void sph2d__device_swap(sph2d__device *device, const void *host);
 
 /** Ends all further work, for a reason that is static. */
 void sph2d__device_give_up(sph2d__device *device, const char *why);

@@ -220,7 +220,7 @@ static double shift_of_walls(const sph2d_sim *sim)
 /* Batches in a task. */
 enum { BATCHES = 512 / SPH2D__BATCH };
 
-void sph2d__advected(sph2d_sim *sim, const sph2d__events *met)
+static void book_events(sph2d_sim *sim, const sph2d__events *met)
 {
     sim->record.backstop_hits += met->hits;
     sim->record.reflections += met->reflections;
@@ -229,10 +229,21 @@ void sph2d__advected(sph2d_sim *sim, const sph2d__events *met)
     sim->record.energy_diffused += (double)met->diffused * sph2d__sim_energy_quantum(sim);
 }
 
+static sph2d_status advect_on_device(sph2d_sim *sim, double dt)
+{
+    const sph2d__events met = sph2d__device_advect(sim, dt);
+    for (uint64_t k = 0; k < met.noted; ++k) {
+        const sph2d__contact *c = &sim->contacts[k];
+        sph2d__loads_contact(sim, c->wall, c->at, c->change, c->work);
+    }
+    book_events(sim, &met);
+    return met.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
+}
+
 sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after)
 {
     if (sph2d__is_on_device(&sim->system))
-        return sph2d__device_advect(sim, dt);
+        return advect_on_device(sim, dt);
     const size_t count = sim->system.fluid.count, batches = (count + SPH2D__BATCH - 1) / SPH2D__BATCH;
     const double shift = shift_of_walls(sim);
     sph2d__events all = {0};
@@ -255,6 +266,6 @@ sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sp
 #pragma omp critical(sph2d_events)
         sph2d__add_events(&all, met);
     }
-    sph2d__advected(sim, &all);
+    book_events(sim, &all);
     return all.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
 }

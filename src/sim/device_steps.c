@@ -6,7 +6,7 @@
 
 #include "device/device.h"
 #include "methods/common/slabs.h"
-#include "sim/stages.h"
+#include "sim/simulation.h"
 
 /* ---- beginning and end ------------------------------------------------------------------------------------------- */
 
@@ -165,17 +165,14 @@ bool sph2d__device_sort(sph2d__system *s)
 
 /* ---- advection --------------------------------------------------------------------------------------------------- */
 
-/** Hands what walls did to particles, so many times, to the loads. */
-static void take_contacts(sph2d_sim *sim, uint64_t count)
+/** Fetches what walls did to particles, so many times. */
+static void fetch_contacts(sph2d_sim *sim, uint64_t count)
 {
     sph2d__device *d = sim->system.device;
     sph2d__device_changed_on(d, sim->contacts);
     sph2d__device_fetch(d, sim->contacts);
     if (count > sim->contact_room)
         sph2d__device_give_up(d, "more particles met walls in one step than its list holds");
-    for (uint64_t k = 0; k < count && k < sim->contact_room; ++k)
-        sph2d__loads_contact(sim, sim->contacts[k].wall, sim->contacts[k].at, sim->contacts[k].change,
-                             sim->contacts[k].work);
     *sim->contact_count = 0;
     sph2d__device_changed_one(d, sim->contact_count);
 }
@@ -214,7 +211,7 @@ static void send_drifts(sph2d_sim *sim)
         sph2d__device_changed_one(s->device, sim->drifts);
 }
 
-sph2d_status sph2d__device_advect(sph2d_sim *sim, double dt)
+sph2d__events sph2d__device_advect(sph2d_sim *sim, double dt)
 {
     const sph2d__system *s = &sim->system;
     send_drifts(sim);
@@ -233,9 +230,9 @@ sph2d_status sph2d__device_advect(sph2d_sim *sim, double dt)
     for (size_t k = 0; parts && k < sph2d__slabs(s->fluid.count); ++k)
         sph2d__add_events(&all, parts[k]);
     if (all.noted > 0)
-        take_contacts(sim, all.noted);
-    sph2d__advected(sim, &all);
-    return all.not_finite == 0 ? SPH2D_OK : SPH2D_GUARD;
+        fetch_contacts(sim, all.noted);
+    all.noted = all.noted < sim->contact_room ? all.noted : sim->contact_room;
+    return all;
 }
 
 /* ---- guards ------------------------------------------------------------------------------------------------------ */

@@ -25,9 +25,6 @@ typedef void sph2d__batch_work(sph2d_sim *sim, double dt, sph2d__batch *batch);
  *  velocities (advect.c). `after` may be NULL. SPH2D_GUARD when a position is not finite. */
 sph2d_status sph2d__advect(sph2d_sim *sim, double dt, sph2d__batch_work *set, sph2d__batch_work *after);
 
-/** Books what happened to particles in an advection. */
-void sph2d__advected(sph2d_sim *sim, const sph2d__events *met);
-
 /** Sorts the fluid into its cells. SPH2D_OK or SPH2D_NOMEM. */
 sph2d_status sph2d__sort_fluid(sph2d_sim *sim);
 

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "device/device.h"
-#include "methods/common/slabs.h"
 
 /* ---- the system as kernels get it -------------------------------------------------------------------------------- */
 

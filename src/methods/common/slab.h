@@ -20,4 +20,16 @@ typedef struct sph2d__slab {
     size_t first, last;
 } sph2d__slab;
 
+/** Adds sums to a total. */
+static inline void sph2d__slab_add(sph2d__slab_sum *total, const sph2d__slab_sum *sum)
+{
+    total->first += sum->first;
+    total->second += sum->second;
+    total->third += sum->third;
+    total->fourth += sum->fourth;
+    total->x += sum->x;
+    total->y += sum->y;
+    total->most = sum->most > total->most ? sum->most : total->most;
+}
+
 #endif

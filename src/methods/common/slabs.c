@@ -16,17 +16,6 @@ static sph2d__slab slab_of(sph2d__store *rows, bool walls, size_t k)
 /* The fewest slabs that are shared among threads, and the most whose sums wait at a time to be added in their order. */
 enum { MIN_SLABS = 4, ROUND = 1024 };
 
-void sph2d__slab_add(sph2d__slab_sum *total, const sph2d__slab_sum *sum)
-{
-    total->first += sum->first;
-    total->second += sum->second;
-    total->third += sum->third;
-    total->fourth += sum->fourth;
-    total->x += sum->x;
-    total->y += sum->y;
-    total->most = sum->most > total->most ? sum->most : total->most;
-}
-
 /** Work on slabs `from` to `to` - 1 of a store. */
 static void over_round(sph2d__system *s, bool walls, size_t from, size_t to, sph2d__slab_work *work, const void *with,
                        sph2d__slab_sum *total)

@@ -9,9 +9,6 @@
 
 #include "methods/common/slab.h"
 
-/** Adds sums to a total. */
-void sph2d__slab_add(sph2d__slab_sum *total, const sph2d__slab_sum *sum);
-
 /** Work on a slab; `sum` is zero at first. */
 typedef void sph2d__slab_work(sph2d__system *system, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum);
 
