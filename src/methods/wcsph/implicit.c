@@ -36,8 +36,8 @@
  *
  *  The step is not bound by sound but by order, as geometry stands still in it (wcsph.c). */
 #include <math.h>
-#include <string.h>
 
+#include "methods/wcsph/implicit_spans.h"
 #include "methods/wcsph/wcsph.h"
 #include "sim/stages.h"
 
@@ -58,7 +58,7 @@ static const sph2d__implicit_pass *pass_of(const sph2d__system *s)
 /* ---- before the solve -------------------------------------------------------------------------------------------- */
 
 /** What of this is bounded by the step's length. */
-static void bound(sph2d__system *s, double dt)
+static void set_bounds(sph2d__system *s, double dt)
 {
     sph2d__frozen *z = s->frozen;
     const double c = s->sound_speed;
@@ -71,20 +71,6 @@ static void bound(sph2d__system *s, double dt)
         sph2d__frozen_bodies_rate(s);
         for (size_t k = 0; k < s->rigid_count; ++k)
             z->most_brake = fmin(z->most_brake, BODY_BRAKE / fmax(z->bodies[k].brake * dt, 1e-300));
-    }
-}
-
-/** Particles where they are expected in the middle of the step, and no pressures. */
-static void expect_some(sph2d__system *s, size_t first, size_t last)
-{
-    sph2d__frozen *z = s->frozen;
-    const sph2d__store *f = &s->fluid;
-    for (size_t i = first; i < last; ++i) {
-        const float row[4] = {0, 0, 0, (float)f->log_density[i]};
-        memcpy(z->press + 4 * i, row, sizeof row);
-        z->px[i] += z->dt / 2 * f->vx[i];
-        z->py[i] += z->dt / 2 * f->vy[i];
-        z->work[i] = z->body_rate[i] = 0;
     }
 }
 
@@ -112,39 +98,25 @@ static double loosen(sph2d_sim *sim)
 
 /* ---- relaxation of density --------------------------------------------------------------------------------------- */
 
-/** What theta changes by over the step, into `summed`, if all of it is paid for. */
-static void relax_some(sph2d__system *s, size_t first, size_t last)
+static void relax_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    sph2d__frozen *z = s->frozen;
-    const double part = fmin(z->dt * sqrt(sph2d__head_of_sound(s)) / (RELAXATION * s->spacing), 1);
-    for (size_t i = first; i < last; ++i)
-        z->summed[i] *= part / sph2d__density_ratio(s->fluid.log_density[i]);
+    (void)sum;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        relax_step(s, i, with);
 }
 
-/** What friction takes of particle i, which had velocity v, in the step [J/kg]. Where the liquid is thick, of the flow that it
- *  had: what relaxation itself drives takes friction as the square of it, and cannot pay for it. */
-static double rubbed(const sph2d__frozen *z, size_t i, double vx, double vy)
+/** What theta changes by over the step, if all of it is paid for. */
+static void relax(sph2d__system *s, double dt)
 {
-    const double x = z->rubbed_x[i], y = z->rubbed_y[i], late = z->thick ? 0 : z->dt / 2;
-    return -z->dt * (x * (vx + late * x) + y * (vy + late * y));
+    const double part = fmin(dt * sqrt(sph2d__head_of_sound(s)) / (RELAXATION * s->spacing), 1);
+    sph2d__over_fluid(s, relax_slab, &part, NULL, 0);
 }
 
-/** Sums up what it costs by the pressures that were found, what damping takes with them, and friction [J/m]. */
-static void pay_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+static void cost_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const sph2d__frozen *z = s->frozen;
-    const sph2d__store *f = &s->fluid;
-    const double c2 = s->sound_speed * s->sound_speed, m = s->mass, part = z->ahead / z->dt;
     (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const double p = z->solved[i], relaxed = z->summed[i];
-        const double then = z->soft[i] * p + (1 - c2 * z->soft[i]) * f->log_density[i];
-        const double squeezed = (then - f->log_density[i]) / part, before = f->log_density[i] - part * relaxed;
-        const double cost = m * c2 * relaxed * then, change = squeezed + relaxed;
-        sum->first += cost;
-        sum->second += cost + m * (p * squeezed - c2 * change * (before + change / 2));
-        sum->third += m * rubbed(z, i, f->vx[i], f->vy[i]);
-    }
+    for (size_t i = slab->first; i < slab->last; ++i)
+        add_cost(s, i, sum);
 }
 
 /* ---- the matrix -------------------------------------------------------------------------------------------------- */
@@ -154,7 +126,7 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
     (void)with;
     pass_of(s)->multiply(s, slab->first, slab->last, sum);
     for (size_t i = slab->first; i < slab->last; ++i)
-        sum->first += sph2d__close_multiply(s, i);
+        sum->first += close_multiply(s, i);
 }
 
 /** The motion D^T of the pressures in `press`, of the liquid and of bodies. */
@@ -178,73 +150,15 @@ static double multiply(sph2d__system *s)
     return sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0).first;
 }
 
-/** The pressures of a particle, as neighbours see them. */
-static void press(sph2d__frozen *z, size_t i, double p)
-{
-    const float row[4] = {(float)(p * z->bxx[i]), (float)(p * z->bxy[i]), (float)(p * z->byy[i]), (float)p};
-    memcpy(z->press + 4 * i, row, sizeof row);
-}
-
 /* ---- the right side ---------------------------------------------------------------------------------------------- */
 
-static double known(const sph2d__system *s, size_t i)
-{
-    const double c2 = s->sound_speed * s->sound_speed;
-    return s->frozen->holds && s->frozen->known[i] > 0 ? c2 * s->fluid.log_density[i] : 0;
-}
-
-/** The pressures that are known: those of reservoirs. */
-static void press_known(sph2d__system *s, size_t first, size_t last)
-{
-    for (size_t i = first; i < last; ++i)
-        press(s->frozen, i, known(s, i));
-}
-
-/** The liquid's motion in the middle of the step, without the pressures that are not known. */
-static void start_motion(sph2d__system *s, size_t first, size_t last)
-{
-    sph2d__frozen *z = s->frozen;
-    const sph2d__store *f = &s->fluid;
-    for (size_t i = first; i < last; ++i) {
-        const double w = z->ahead * (z->holds ? 1 - z->held[i] : 1);
-        double x = f->vx[i] + w * (f->ax[i] + z->rubbed_x[i]), y = f->vy[i] + w * (f->ay[i] + z->rubbed_y[i]);
-        if (z->holds) {
-            x -= w * z->pull_back_x[i];
-            y -= w * z->pull_back_y[i];
-        }
-        const float row[4] = {(float)x, (float)y, (float)(z->cxx[i] * x + z->cyx[i] * y + z->wall_zx[i]),
-                              (float)(z->cxy[i] * x + z->cyy[i] * y + z->wall_zy[i])};
-        memcpy(z->velocity + 4 * i, row, sizeof row);
-    }
-}
-
-/** The right side, with D of that motion in `product`, and where the solve starts: `with` something, in `direction`. Sums up
- *  their squares and product. */
 static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    sph2d__frozen *z = s->frozen;
-    const double w = z->ahead, c2 = s->sound_speed * s->sound_speed;
-    const double stiff = c2 + SPH2D__DAMPING * s->sound_speed * s->support / w;
-    const bool again = with != NULL;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const bool held = z->holds && z->known[i] > 0;
-        const double theta = s->fluid.log_density[i] + (again ? 0 : z->diffused[i] + w / z->dt * z->summed[i]),
-                     p = known(s, i);
-        s->fluid.log_density[i] = theta;
-        z->soft[i] = 1 / (held ? c2 : stiff);
-        z->solved[i] = held ? p : 0;
-        z->residual[i] = w * (z->product[i] - z->acts[i] * z->wall_rate[i]) + (held ? 0 : c2 / stiff * theta);
-        z->first[i] = z->direction[i] = held ? 0 : again ? z->direction[i] : c2 * theta;
-        press(z, i, z->direction[i]);
-        sph2d__close_load(s, i, again, sum);
-        if (held)
-            continue;
-        sum->first += z->residual[i] * z->residual[i];
-        sum->second += z->first[i] * z->residual[i];
-        sum->third += z->first[i] * z->first[i];
-    }
+    for (size_t i = slab->first; i < slab->last; ++i)
+        load_one(s, i, with, sum);
 }
 
+/** The right side; returns the sums of load_one(). */
 static sph2d__slab_sum load(sph2d__system *s, bool again)
 {
     sph2d__frozen *z = s->frozen;
@@ -257,21 +171,15 @@ static sph2d__slab_sum load(sph2d__system *s, bool again)
         if (s->rigid_count > 0)
             sph2d__frozen_bodies_pull(s, z->ahead);
     }
-    sph2d__over_particles(s, n, start_motion, NULL);
+    sph2d__over_particles(s, n, start_flow, NULL);
     if (s->rigid_count > 0)
         sph2d__frozen_bodies_feed(s);
     sph2d__images_of_velocity(s);
     sph2d__over_particles(s, n, pass_of(s)->diverge, NULL);
-    return sph2d__over_fluid(s, load_slab, again ? &again : NULL, NULL, 0);
+    return sph2d__over_fluid(s, load_slab, &again, NULL, 0);
 }
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
-
-/** How far a step goes along the direction; what the next direction has of this one, and of the first pressures, to which it
- *  is made conjugate. */
-typedef struct factors {
-    double alpha, beta, gamma;
-} factors;
 
 /** A step along the direction. Sums up the square of the residual, and its product with that of the first pressures. */
 static void step_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
@@ -286,31 +194,17 @@ static void step_slab(sph2d__system *s, const sph2d__slab *slab, const void *wit
         z->residual[i] = residual;
         square += held ? 0 : residual * residual;
         first += held ? 0 : residual * z->of_first[i];
-        sph2d__close_step(s, i, f->alpha, sum);
+        close_step(s, i, f->alpha, sum);
     }
     sum->first += square;
     sum->second += first;
 }
 
-/** The next direction. */
 static void direct_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const factors *f = with;
-    sph2d__frozen *z = s->frozen;
     (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const bool held = z->holds && z->known[i] > 0;
-        z->direction[i] = held ? 0 : z->residual[i] + f->beta * z->direction[i] - f->gamma * z->first[i];
-        press(z, i, z->direction[i]);
-        sph2d__close_direct(s, i, f->beta, f->gamma);
-    }
-}
-
-static void keep_first(sph2d__system *s, size_t first, size_t last)
-{
-    memcpy(s->frozen->of_first + first, s->frozen->product + first, (last - first) * sizeof *s->frozen->product);
-    for (size_t i = first; i < last; ++i)
-        sph2d__close_keep_first(s, i);
+    for (size_t i = slab->first; i < slab->last; ++i)
+        direct_one(s, i, with);
 }
 
 /* The matrix is symmetric to the rounding of floats alone. */
@@ -354,45 +248,19 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
 
 /* ---- once more --------------------------------------------------------------------------------------------------- */
 
-/** Makes the next solve start from what was found. */
-static void keep_found(sph2d__system *s, size_t first, size_t last)
-{
-    sph2d__frozen *z = s->frozen;
-    for (size_t i = first; i < last; ++i) {
-        z->direction[i] = z->solved[i];
-        sph2d__close_push(s, i, false);
-        z->pushed_x[i] = z->pushed_y[i] = z->stopped[i] = 0;
-    }
-}
-
-/** Whether a wall holds a film by tension. */
-static bool clings(const sph2d__system *s, size_t i)
-{
-    const sph2d__frozen *z = s->frozen;
-    const bool beside = z->sx[i] * z->sx[i] + z->sy[i] * z->sy[i] > 0;
-    return beside && !s->fills && !(z->walled[i] > 0) && z->acts[i] > 0 && z->solved[i] < 0;
-}
-
-static void count_clinging(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+/** Counts particles that walls or others draw. */
+static void count_drawn(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
     for (size_t i = slab->first; i < slab->last; ++i)
-        sum->first += clings(s, i);
+        sum->first += clings(s, i) || close_pulls(s, i);
 }
 
-/** Keeps a part of the relaxation, and nothing that draws. */
 static void take_back_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const double *part = with;
-    sph2d__frozen *z = s->frozen;
     (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        s->fluid.log_density[i] -= (1 - *part) * z->ahead / z->dt * z->summed[i];
-        z->summed[i] *= *part;
-        if (clings(s, i))
-            z->acts[i] = 0;
-        sph2d__close_drop(s, i);
-    }
+    for (size_t i = slab->first; i < slab->last; ++i)
+        take_back(s, i, with);
 }
 
 /** Takes back what of relaxation is not paid for, and what would draw particles together or to walls. Of a part of it the
@@ -401,11 +269,10 @@ static void take_back_slab(sph2d__system *s, const sph2d__slab *slab, const void
  *      part cost = paid + part^2 damped */
 static void pay(sph2d__system *s, double paid)
 {
-    const sph2d__slab_sum of = sph2d__over_fluid(s, pay_slab, NULL, NULL, 0);
+    const sph2d__slab_sum of = sph2d__over_fluid(s, cost_slab, NULL, NULL, 0);
     const double cost = of.first, damped = fmax(of.second, 0);
     paid = fmax(paid + of.third, 0);
-    const bool enough = cost <= paid + damped,
-               draws = sph2d__close_pull(s) || sph2d__over_fluid(s, count_clinging, NULL, NULL, 0).first > 0;
+    const bool enough = cost <= paid + damped, draws = sph2d__over_fluid(s, count_drawn, NULL, NULL, 0).first > 0;
     if ((enough && !draws) || s->unconverged || s->iterations >= s->method.max_iterations)
         return;
     const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
@@ -415,24 +282,6 @@ static void pay(sph2d__system *s, double paid)
 }
 
 /* ---- where the liquid is thick ----------------------------------------------------------------------------------- */
-
-static void press_found(sph2d__system *s, size_t first, size_t last)
-{
-    for (size_t i = first; i < last; ++i) {
-        press(s->frozen, i, s->frozen->solved[i]);
-        sph2d__close_push(s, i, false);
-    }
-}
-
-/** The accelerations by all but friction with the pressures that were found, which the next solve starts from. */
-static void expect_pressed(sph2d__system *s, size_t first, size_t last)
-{
-    sph2d__frozen *z = s->frozen;
-    for (size_t i = first; i < last; ++i) {
-        z->rubbed_x[i] = s->fluid.ax[i] - z->pull_back_x[i];
-        z->rubbed_y[i] = s->fluid.ay[i] - z->pull_back_y[i];
-    }
-}
 
 /** Friction and pressure twice, by turns. */
 static void solve_thick(sph2d__system *s)
@@ -449,20 +298,12 @@ static void solve_thick(sph2d__system *s)
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
-static void press_solved(sph2d__system *s, size_t first, size_t last)
-{
-    for (size_t i = first; i < last; ++i) {
-        press(s->frozen, i, s->frozen->solved[i]);
-        sph2d__close_push(s, i, true);
-    }
-}
-
 static void finish_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
     double left = 0;
     for (size_t i = slab->first; i < slab->last; ++i)
-        left += sph2d__close_residual(s, i);
+        left += close_residual(s, i);
     pass_of(s)->finish(s, slab->first, slab->last, sum);
     sum->first += s->mass * s->frozen->dt / s->frozen->ahead * left;
 }
@@ -492,8 +333,8 @@ static void finish(sph2d_sim *sim)
 void sph2d__implicit_sound(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
-    bound(s, dt);
-    sph2d__over_particles(s, s->fluid.count, relax_some, NULL);
+    set_bounds(s, dt);
+    relax(s, dt);
     sph2d__frozen_begin(s);
     sph2d__frozen_start_external(s);
     sph2d__images_of_velocity(s);

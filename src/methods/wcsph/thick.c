@@ -21,8 +21,8 @@
  *  diagonal as preconditioner. a_v is summed over pairs from v*, opposite in both particles of one, whatever the
  *  tolerance. */
 #include <math.h>
-#include <string.h>
 
+#include "methods/wcsph/thick_sweeps.h"
 #include "methods/wcsph/wcsph.h"
 
 /* What may be left of the equations: of velocities in the mean over the particles, and of the scene's speed. It is no
@@ -34,31 +34,6 @@ enum { MOST = 1000 };
 static const sph2d__thick_pass *pass_of(const sph2d__system *s)
 {
     return sph2d__thick_pass_find(s->isa);
-}
-
-static void see(sph2d__frozen *z, size_t i, double x, double y)
-{
-    const float row[4] = {(float)x, (float)y, 0, 0};
-    memcpy(z->velocity + 4 * i, row, sizeof row);
-}
-
-/** Where the first solve starts. */
-static void start(sph2d__system *s, size_t first, size_t last)
-{
-    memcpy(s->frozen->thick_x + first, s->fluid.vx + first, (last - first) * sizeof *s->fluid.vx);
-    memcpy(s->frozen->thick_y + first, s->fluid.vy + first, (last - first) * sizeof *s->fluid.vy);
-}
-
-static void see_way(sph2d__system *s, size_t first, size_t last)
-{
-    for (size_t i = first; i < last; ++i)
-        see(s->frozen, i, s->frozen->way_x[i], s->frozen->way_y[i]);
-}
-
-static void see_found(sph2d__system *s, size_t first, size_t last)
-{
-    for (size_t i = first; i < last; ++i)
-        see(s->frozen, i, s->frozen->thick_x[i], s->frozen->thick_y[i]);
 }
 
 static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
@@ -73,58 +48,42 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
     pass_of(s)->multiply(s, slab->first, slab->last, sum);
 }
 
-/** A step along the direction; sums up the square of what is left over the diagonal. */
-static void go_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
+static void step_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const double *length = with;
-    sph2d__frozen *z = s->frozen;
-    double square = 0;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const double x = z->rest_x[i] - *length * z->slowed_x[i], y = z->rest_y[i] - *length * z->slowed_y[i];
-        z->thick_x[i] += *length * z->way_x[i];
-        z->thick_y[i] += *length * z->way_y[i];
-        z->rest_x[i] = x;
-        z->rest_y[i] = y;
-        square += z->eased_x[i] * x * x + z->eased_y[i] * y * y;
-    }
-    sum->first = square;
+    for (size_t i = slab->first; i < slab->last; ++i)
+        thick_step(s, i, with, sum);
 }
 
 static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
-    const double *keep = with;
-    sph2d__frozen *z = s->frozen;
     (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        z->way_x[i] = z->eased_x[i] * z->rest_x[i] + *keep * z->way_x[i];
-        z->way_y[i] = z->eased_y[i] * z->rest_y[i] + *keep * z->way_y[i];
-    }
-    see_way(s, slab->first, slab->last);
+    for (size_t i = slab->first; i < slab->last; ++i)
+        thick_turn(s, i, with);
 }
 
 void sph2d__thick_solve(sph2d__system *s, bool again)
 {
     const size_t n = s->fluid.count;
     if (!again)
-        sph2d__over_particles(s, n, start, NULL);
-    sph2d__over_particles(s, n, see_found, NULL);
+        sph2d__over_particles(s, n, thick_start, NULL);
+    sph2d__over_particles(s, n, show_found, NULL);
     sph2d__images_of_velocity(s);
     const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL, NULL, 0);
     const double wanted = TOLERANCE * TOLERANCE * sum.second +
                           FLOOR * FLOOR * (double)n * s->method.max_compression * s->sound_speed * s->sound_speed;
     double left = sum.first;
-    sph2d__over_particles(s, n, see_way, NULL);
+    sph2d__over_particles(s, n, show_way, NULL);
     for (int k = 0; left > wanted && k < MOST; ++k) {
         sph2d__images_of_velocity(s);
         const double bent = sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0).first;
         if (!(bent > 0))
             break;
         const double length = left / bent, before = left;
-        left = sph2d__over_fluid(s, go_slab, &length, NULL, 0).first;
+        left = sph2d__over_fluid(s, step_slab, &length, NULL, 0).first;
         const double keep = left / before;
         sph2d__over_fluid(s, turn_slab, &keep, NULL, 0);
     }
-    sph2d__over_particles(s, n, see_found, NULL);
+    sph2d__over_particles(s, n, show_found, NULL);
     sph2d__images_of_velocity(s);
     sph2d__over_particles(s, n, pass_of(s)->finish, NULL);
     if (again)

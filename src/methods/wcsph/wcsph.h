@@ -227,23 +227,9 @@ void sph2d__frozen_store_later(sph2d__system *system, sph2d__slab_sum *to);
 /** In place of acoustic steps, in method `constraint` (implicit.c). */
 void sph2d__implicit_sound(sph2d_sim *sim, double dt);
 /** Close pairs in it (implicit_close.c): room for their rows, false when memory is short; the rows, with particles where
- *  they are expected; those of particle i in the solve. */
+ *  they are expected. */
 bool sph2d__close_reserve(sph2d__system *system);
 void sph2d__close_find(sph2d__system *system);
-/** `again`: starts from the direction. */
-void sph2d__close_load(sph2d__system *system, size_t i, bool again, sph2d__slab_sum *sum);
-double sph2d__close_multiply(sph2d__system *system, size_t i);
-void sph2d__close_step(sph2d__system *system, size_t i, double alpha, sph2d__slab_sum *sum);
-void sph2d__close_direct(sph2d__system *system, size_t i, double beta, double gamma);
-void sph2d__close_keep_first(sph2d__system *system, size_t i);
-/** What its pairs push it by with what was found, which `last` adds to the mean force of sides, too. */
-void sph2d__close_push(sph2d__system *system, size_t i, bool last);
-/** Whether some of what was found draws particles: then the rest is solved for once more. */
-bool sph2d__close_pull(const sph2d__system *system);
-/** Drops them, of particle i. */
-void sph2d__close_drop(sph2d__system *system, size_t i);
-/** What is left of its rows' equations by what was found: energy over m dt/w. */
-double sph2d__close_residual(const sph2d__system *system, size_t i);
 void sph2d__close_free(sph2d__system *system);
 /** Accelerations by viscosity and walls without slip, where the liquid is thick (thick.c), with those by all else in
  *  `rubbed`; `again`, from what was found, for the last time. */

@@ -103,7 +103,7 @@ enum {
     ARRAYS = 0 SPH2D__FROZEN_ARRAYS(COUNT_ONE) SPH2D__FROZEN_RECORDS(COUNT_ONE),
     PAIRS = 0 SPH2D__FROZEN_PAIRS(COUNT_ONE),
     SLICES = 3,
-    IMPLICIT = 1 SPH2D__IMPLICIT_ARRAYS(COUNT_ONE),
+    IMPLICIT = 3 SPH2D__IMPLICIT_ARRAYS(COUNT_ONE),
     ALL = ARRAYS + PAIRS + SLICES + IMPLICIT
 };
 
@@ -126,6 +126,8 @@ static void list_blocks(sph2d__frozen *z, sph2d__growth out[ALL])
     SPH2D__IMPLICIT_ARRAYS(BLOCK)
 #undef BLOCK
     out[n++] = (sph2d__growth){&z->first_close, sizeof *z->first_close};
+    out[n++] = (sph2d__growth){&z->end_close, sizeof *z->end_close};
+    out[n++] = (sph2d__growth){&z->close_starts, sizeof *z->close_starts};
 }
 
 static bool is_implicit(const sph2d__system *s)

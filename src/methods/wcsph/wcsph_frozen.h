@@ -165,9 +165,10 @@ typedef struct sph2d__frozen {
     sph2d__frozen_body *bodies; /**< of the scene; NULL: none */
     sph2d__frozen_row *rows;    /**< pairs of particles with bodies, by particles */
     size_t row_count, row_capacity;
-    sph2d__close_row
-        *close_rows; /**< of close pairs in an implicit step, by particles, and where those of each begin */
-    size_t *first_close, close_capacity;
+    SPH2D__ARRAY sph2d__close_row *close_rows;    /**< of close pairs in an implicit step, by particles ... */
+    SPH2D__ARRAY size_t *first_close, *end_close; /**< ... where those of each begin and end ... */
+    SPH2D__ARRAY size_t *close_starts;            /**< ... and those of each slab */
+    size_t close_capacity;
     SPH2D__ARRAY double *left;   /**< s, by equal steps of K/Sigma from 0 on */
     SPH2D__ARRAY double *beyond; /**< the kernel's part beyond a plane, by the distance from it */
     SPH2D__ARRAY double *lift;   /**< its integral from there to H [m] */
