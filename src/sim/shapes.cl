@@ -73,8 +73,18 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
             function(&s, i, i + 1);                                                                                    \
     }
 
-/* A function of one particle, with arguments of a type, that adds to the sums of its slab. They are added in the order of the
- * particles, as the host does it. */
+/* A function of one particle, with arguments of a type. */
+#define WITH(name, type, function)                                                                                     \
+    __kernel void name(ARGUMENTS)                                                                                      \
+    {                                                                                                                  \
+        const size_t i = get_global_id(0);                                                                             \
+        SYSTEM                                                                                                         \
+        const type with = *(__global const type *)(numbers + own_at);                                                  \
+        if (i < count)                                                                                                 \
+            function(&s, i, &with);                                                                                    \
+    }
+
+/* The same of one that adds to the sums of its slab, to each once. They are added in the order of the particles, as the host does it. */
 #define SUM(name, type, function)                                                                                      \
     __kernel void name(ARGUMENTS)                                                                                      \
     {                                                                                                                  \
@@ -88,6 +98,14 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
         parts[get_local_id(0)] = sum;                                                                                  \
         add_parts(parts, (size_t)get_group_id(0) * SPH2D__SLAB, count, results);                                       \
     }
+
+/* The same without arguments. */
+#define TOTAL(name, function)                                                                                          \
+    static inline void name##_one(sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)                   \
+    {                                                                                                                  \
+        function(s, i, sum);                                                                                           \
+    }                                                                                                                  \
+    SUM(name, int, name##_one)
 
 static inline void add_parts(__local const sph2d__slab_sum *parts, size_t first, size_t count, __global uchar *to)
 {

@@ -65,6 +65,14 @@ void sph2d__sums_settle(sph2d__system *s)
         sph2d__device_settle(s->device);
 }
 
+void sph2d__each_of_fluid(sph2d__system *s, sph2d__slab_work *work, const void *with, const char *kernel, size_t size)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_span_with(s, kernel, s->fluid.count, with, size);
+    else
+        over(s, false, work, with);
+}
+
 sph2d__slab_sum sph2d__sum_fluid(const sph2d__system *s, sph2d__slab_work *work, const void *with)
 {
     sph2d__system same = *s;

@@ -12,6 +12,16 @@
 /** Work on a slab; `sum` is zero at first. */
 typedef void sph2d__slab_work(sph2d__system *system, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum);
 
+/** Defines such work by that on one particle: an expression with s, i, with and sum. */
+#define SPH2D__SLAB_WORK(name, expression)                                                                             \
+    static void name(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)                \
+    {                                                                                                                  \
+        (void)with;                                                                                                    \
+        (void)sum;                                                                                                     \
+        for (size_t i = slab->first; i < slab->last; ++i)                                                              \
+            expression;                                                                                                \
+    }
+
 /** Calls `work` on every slab of the fluid; returns the total of the sums. Where a device has the particles, runs its kernel of that
  *  name (on_device.h) with `size` bytes of `with`; NULL in methods that devices do not know. */
 sph2d__slab_sum sph2d__over_fluid(sph2d__system *system, sph2d__slab_work *work, const void *with, const char *kernel,
@@ -21,6 +31,10 @@ sph2d__slab_sum sph2d__over_fluid(sph2d__system *system, sph2d__slab_work *work,
 void sph2d__over_fluid_later(sph2d__system *system, sph2d__slab_work *work, const void *with, const char *kernel,
                              size_t size, sph2d__slab_sum *to);
 void sph2d__sums_settle(sph2d__system *system);
+
+/** The same for work that sums nothing, for which nobody waits. */
+void sph2d__each_of_fluid(sph2d__system *system, sph2d__slab_work *work, const void *with, const char *kernel,
+                          size_t size);
 
 /** The same for work that only sums: the system stays as it is. */
 sph2d__slab_sum sph2d__sum_fluid(const sph2d__system *system, sph2d__slab_work *work, const void *with);

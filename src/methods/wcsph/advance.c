@@ -36,17 +36,9 @@ static void go(sph2d_sim *sim, double dt, sph2d__batch *w)
 /* In how many H/c0 density goes to its sum over the neighbours. */
 static const double RELAXATION_TIME = 100;
 
-static void sum_relaxed(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    for (size_t i = slab->first; i < slab->last; ++i)
-        add_relaxed(s, i, with, sum);
-}
+SPH2D__SLAB_WORK(sum_relaxed, add_relaxed(s, i, with, sum))
 
-static void relax_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    for (size_t i = slab->first; i < slab->last; ++i)
-        relax_one(s, i, with, sum);
-}
+SPH2D__SLAB_WORK(relax_slab, relax_one(s, i, with, sum))
 
 /** Energy dissipated so far [J/m]. */
 static double dissipated(const sph2d_sim *sim)
@@ -70,19 +62,9 @@ static void relax(sph2d_sim *sim, double dt, double paid)
 
 /* ---- shifting ---------------------------------------------------------------------------------------------------- */
 
-static void sum_lifted(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        add_lifted(s, i, sum);
-}
+SPH2D__SLAB_WORK(sum_lifted, add_lifted(s, i, sum))
 
-static void shorten_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        shorten_one(s, i, with);
-}
+SPH2D__SLAB_WORK(shorten_slab, shorten_one(s, i, with))
 
 /** Shifts as far as what is left of the step's dissipation, `paid`, lifts the particles: in a full tank they would rise
  *  for ever, and sink by pressures that this makes. */
@@ -93,7 +75,7 @@ static void pay_for_shift(sph2d__system *s, double paid)
     const double work = s->mass * sph2d__over_fluid(s, sum_lifted, NULL, "sum_lifted_pass", 0).first;
     const double part = fmax(paid, 0) / work;
     if (work > 0 && part < 1)
-        sph2d__over_fluid(s, shorten_slab, &part, "shorten_pass", sizeof part);
+        sph2d__each_of_fluid(s, shorten_slab, &part, "shorten_pass", sizeof part);
 }
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */

@@ -98,26 +98,16 @@ static double loosen(sph2d_sim *sim)
 
 /* ---- relaxation of density --------------------------------------------------------------------------------------- */
 
-static void relax_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        relax_step(s, i, with);
-}
+SPH2D__SLAB_WORK(relax_slab, relax_step(s, i, with))
 
 /** What theta changes by over the step, if all of it is paid for. */
 static void relax(sph2d__system *s, double dt)
 {
     const double part = fmin(dt * sqrt(sph2d__head_of_sound(s)) / (RELAXATION * s->spacing), 1);
-    sph2d__over_fluid(s, relax_slab, &part, NULL, 0);
+    sph2d__each_of_fluid(s, relax_slab, &part, NULL, 0);
 }
 
-static void cost_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        add_cost(s, i, sum);
-}
+SPH2D__SLAB_WORK(cost_slab, add_cost(s, i, sum))
 
 /* ---- the matrix -------------------------------------------------------------------------------------------------- */
 
@@ -126,7 +116,7 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
     (void)with;
     pass_of(s)->multiply(s, slab->first, slab->last, sum);
     for (size_t i = slab->first; i < slab->last; ++i)
-        sum->first += close_multiply(s, i);
+        sum->second += close_multiply(s, i);
 }
 
 /** The motion D^T of the pressures in `press`, of the liquid and of bodies. */
@@ -147,16 +137,13 @@ static double multiply(sph2d__system *s)
         sph2d__frozen_bodies_feed(s);
     }
     sph2d__images_of_velocity(s);
-    return sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0).first;
+    const sph2d__slab_sum sum = sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0);
+    return sum.first + sum.second;
 }
 
 /* ---- the right side ---------------------------------------------------------------------------------------------- */
 
-static void load_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    for (size_t i = slab->first; i < slab->last; ++i)
-        load_one(s, i, with, sum);
-}
+SPH2D__SLAB_WORK(load_slab, load_one(s, i, with, sum))
 
 /** The right side; returns the sums of load_one(). */
 static sph2d__slab_sum load(sph2d__system *s, bool again)
@@ -181,31 +168,9 @@ static sph2d__slab_sum load(sph2d__system *s, bool again)
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
 
-/** A step along the direction. Sums up the square of the residual, and its product with that of the first pressures. */
-static void step_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    const factors *f = with;
-    sph2d__frozen *z = s->frozen;
-    double square = 0, first = 0;
-    for (size_t i = slab->first; i < slab->last; ++i) {
-        const double residual = z->residual[i] - f->alpha * z->product[i];
-        const bool held = z->holds && z->known[i] > 0;
-        z->solved[i] += f->alpha * z->direction[i];
-        z->residual[i] = residual;
-        square += held ? 0 : residual * residual;
-        first += held ? 0 : residual * z->of_first[i];
-        close_step(s, i, f->alpha, sum);
-    }
-    sum->first += square;
-    sum->second += first;
-}
+SPH2D__SLAB_WORK(step_slab, step_one(s, i, with, sum))
 
-static void direct_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        direct_one(s, i, with);
-}
+SPH2D__SLAB_WORK(direct_slab, direct_one(s, i, with))
 
 /* The matrix is symmetric to the rounding of floats alone. */
 static const double LEAST_TOLERANCE = 1e-5;
@@ -229,7 +194,7 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
         sph2d__over_particles(s, s->fluid.count, keep_first, NULL);
     }
     while (square > wanted && count < s->method.max_iterations) {
-        sph2d__over_fluid(s, direct_slab, &f, NULL, 0);
+        sph2d__each_of_fluid(s, direct_slab, &f, NULL, 0);
         const double curvature = multiply(s);
         ++count;
         if (!(curvature > 0))
@@ -249,19 +214,9 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
 /* ---- once more --------------------------------------------------------------------------------------------------- */
 
 /** Counts particles that walls or others draw. */
-static void count_drawn(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        sum->first += clings(s, i) || close_pulls(s, i);
-}
+SPH2D__SLAB_WORK(count_drawn, sum->first += clings(s, i) || close_pulls(s, i))
 
-static void take_back_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        take_back(s, i, with);
-}
+SPH2D__SLAB_WORK(take_back_slab, take_back(s, i, with))
 
 /** Takes back what of relaxation is not paid for, and what would draw particles together or to walls. Of a part of it the
  *  cost is no more than that part, as p is the larger the more of it there is, and damping takes its square:
@@ -276,7 +231,7 @@ static void pay(sph2d__system *s, double paid)
     if ((enough && !draws) || s->unconverged || s->iterations >= s->method.max_iterations)
         return;
     const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
-    sph2d__over_fluid(s, take_back_slab, &part, NULL, 0);
+    sph2d__each_of_fluid(s, take_back_slab, &part, NULL, 0);
     sph2d__over_particles(s, s->fluid.count, keep_found, NULL);
     solve(s, load(s, true));
 }
@@ -301,12 +256,9 @@ static void solve_thick(sph2d__system *s)
 static void finish_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
 {
     (void)with;
-    double left = 0;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        left += close_residual(s, i);
     pass_of(s)->finish(s, slab->first, slab->last, sum);
-    sum->first += s->mass * s->frozen->dt / s->frozen->ahead * left;
 }
+SPH2D__SLAB_WORK(compress_slab, compress(s, i, sum))
 
 /** Velocities and densities by the pressures that were found. */
 static void finish(sph2d_sim *sim)
@@ -315,11 +267,12 @@ static void finish(sph2d_sim *sim)
     sph2d__record *r = &sim->record;
     sph2d__over_particles(s, s->fluid.count, press_solved, NULL);
     transpose(s);
-    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL, NULL, 0);
+    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL, NULL, 0),
+                          squeezed = sph2d__over_fluid(s, compress_slab, NULL, NULL, 0);
     sph2d__images_of_velocity(s); /* where they are now */
-    r->energy_pressed -= work.first;
+    r->energy_pressed -= work.first + squeezed.first + s->mass * s->frozen->dt / s->frozen->ahead * squeezed.second;
     r->energy_viscous -= work.second;
-    r->energy_fed -= work.third;
+    r->energy_fed -= work.third + squeezed.third;
     r->energy_forces += work.fourth;
     s->external = (sph2d_vec2){s->external.x + work.x, s->external.y + work.y};
     if (s->rigid_count > 0) {

@@ -113,12 +113,11 @@ SPH2D__INLINE void load_one(sph2d__system *s, size_t i, const bool *again, sph2d
     z->residual[i] = w * (z->product[i] - z->acts[i] * z->wall_rate[i]) + (held ? 0 : c2 / stiff * theta);
     z->first[i] = z->direction[i] = held ? 0 : *again ? z->direction[i] : c2 * theta;
     press(z, i, z->direction[i]);
-    close_load(s, i, *again, sum);
-    if (held)
-        return;
-    sum->first += z->residual[i] * z->residual[i];
-    sum->second += z->first[i] * z->residual[i];
-    sum->third += z->first[i] * z->first[i];
+    sph2d__slab_sum of = {0}; /* of this particle: whoever runs it adds that to the slab's at once */
+    close_load(s, i, *again, &of);
+    sum->first += of.first + (held ? 0 : z->residual[i] * z->residual[i]);
+    sum->second += of.second + (held ? 0 : z->first[i] * z->residual[i]);
+    sum->third += of.third + (held ? 0 : z->first[i] * z->first[i]);
 }
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
@@ -128,6 +127,20 @@ SPH2D__INLINE void load_one(sph2d__system *s, size_t i, const bool *again, sph2d
 typedef struct factors {
     double alpha, beta, gamma;
 } factors;
+
+/** A step along the direction. Adds the square of the residual, and its product with that of the first pressures. */
+SPH2D__INLINE void step_one(sph2d__system *s, size_t i, const factors *f, sph2d__slab_sum *sum)
+{
+    sph2d__frozen *z = s->frozen;
+    const double residual = z->residual[i] - f->alpha * z->product[i];
+    const bool held = z->holds && z->known[i] > 0;
+    z->solved[i] += f->alpha * z->direction[i];
+    z->residual[i] = residual;
+    sph2d__slab_sum of = {0};
+    close_step(s, i, f->alpha, &of);
+    sum->first += of.first + (held ? 0 : residual * residual);
+    sum->second += of.second + (held ? 0 : residual * z->of_first[i]);
+}
 
 /** The next direction. */
 SPH2D__INLINE void direct_one(sph2d__system *s, size_t i, const factors *f)
@@ -196,6 +209,25 @@ SPH2D__INLINE void press_solved(sph2d__system *s, size_t first, size_t last)
         press(s->frozen, i, s->frozen->solved[i]);
         close_push(s, i, true);
     }
+}
+
+/** The logarithm of density at the end of the step, by that at w. Adds what pressure and damping take, what is left of close
+ *  pairs, over m dt/w, and what openings feed [J/m]. */
+SPH2D__INLINE void compress(sph2d__system *s, size_t i, sph2d__slab_sum *sum)
+{
+    const sph2d__frozen *z = s->frozen;
+    const double c2 = s->sound_speed * s->sound_speed, part = z->ahead / z->dt;
+    const double theta = s->fluid.log_density[i], soft = z->soft[i], p = z->solved[i], relaxed = z->summed[i];
+    const double damped = 1 - c2 * soft; /* e over c0^2 + e */
+    double squeezed = (1 / part) * (soft * p + damped * theta - theta);
+    const double before = theta - part * relaxed, change = squeezed + relaxed;
+    sum->first += s->mass * (c2 * change * (before + 0.5 * change) - p * squeezed);
+    sum->second += close_residual(s, i);
+    if (z->holds) {
+        sum->third += s->mass * c2 * z->known[i] * theta / part * z->residual[i];
+        squeezed = (1 - z->known[i]) * squeezed;
+    }
+    s->fluid.log_density[i] = before + (squeezed + relaxed);
 }
 
 /** The accelerations by all but friction with the pressures that were found, which the next solve starts from. */

@@ -261,25 +261,6 @@ SPH2D__INLINE void press_walls(const sph2d__system *s, size_t i)
     sph2d__lanes_store(z->mean_ey + i, walled * dot(load(z->axy, z->ayy, i), e));
 }
 
-/** The logarithm of density at the end of the step, by that at w. */
-SPH2D__INLINE void compress(sph2d__system *s, size_t i, size_t last, sph2d__slab_sum *sum)
-{
-    sph2d__frozen *z = s->frozen;
-    const double c2 = s->sound_speed * s->sound_speed, part = z->ahead / z->dt;
-    const sph2d__lanes theta = sph2d__lanes_load(s->fluid.log_density + i), soft = sph2d__lanes_load(z->soft + i),
-                       p = sph2d__lanes_load(z->solved + i), relaxed = sph2d__lanes_load(z->summed + i);
-    const sph2d__lanes damped = 1 - c2 * soft; /* e over c0^2 + e */
-    sph2d__lanes squeezed = (1 / part) * (soft * p + damped * theta - theta);
-    const sph2d__lanes before = theta - part * relaxed, change = squeezed + relaxed;
-    add_lanes(&sum->first, s->mass * (c2 * change * (before + 0.5 * change) - p * squeezed), i, last);
-    if (z->holds) {
-        const sph2d__lanes known = sph2d__lanes_load(z->known + i);
-        add_lanes(&sum->third, s->mass * c2 * known * theta / part * sph2d__lanes_load(z->residual + i), i, last);
-        squeezed = (1 - known) * squeezed;
-    }
-    sph2d__lanes_store(s->fluid.log_density + i, before + (squeezed + relaxed));
-}
-
 SPH2D__INLINE void move_on(sph2d__system *s, size_t i, size_t last, sph2d__slab_sum *sum)
 {
     sph2d__frozen *z = s->frozen;
@@ -302,11 +283,12 @@ SPH2D__INLINE void move_on(sph2d__system *s, size_t i, size_t last, sph2d__slab_
     const vectors middle = {v.x + dt / 2 * a.x, v.y + dt / 2 * a.y};
     work = dt * m * (work + dot(load(z->taken_x, z->taken_y, i), middle) + dot(pushed, middle));
     add_lanes(&sum->first, work, i, last);
-    add_lanes(&sum->second, dt * m * dot(rubbed, middle), i, last);
+    sph2d__lanes lost = dt * m * dot(rubbed, middle);
     if (z->driven) {
         const vectors to = load(z->driven_x, z->driven_y, i);
-        drive(s, i, last, fall(s, i, to), to, middle, sum);
+        lost += drive(s, i, last, fall(s, i, to), to, middle, sum);
     }
+    add_lanes(&sum->second, lost, i, last);
     sph2d__lanes_store(t->vx + i, v.x + dt * a.x);
     sph2d__lanes_store(t->vy + i, v.y + dt * a.y);
     sph2d__lanes_store(z->px + i, at.x + dt * middle.x);
@@ -315,18 +297,14 @@ SPH2D__INLINE void move_on(sph2d__system *s, size_t i, size_t last, sph2d__slab_
 
 SPH2D__INLINE void finish_some(sph2d__system *s, size_t first, size_t last, sph2d__slab_sum *to)
 {
-    /* Each has sums of its own: one after another in a slice they would have an order that depends on its width. */
-    sph2d__slab_sum sum = {0}, squeezed = {0};
+    sph2d__slab_sum sum = *to;
     for (size_t i = first; i < last; i += SPH2D__LANES) {
         if (s->frozen->imaged[i / SPH2D__LANES] > 0)
             press_sides(s, i);
         if (s->neighbours.slices[i / SPH2D__LANES].walls > 0)
             press_walls(s, i);
-        compress(s, i, last, &squeezed);
         move_on(s, i, last, &sum);
     }
-    sum.first += squeezed.first;
-    sum.third += squeezed.third;
     *to = sum;
 }
 

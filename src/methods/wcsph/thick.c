@@ -48,18 +48,9 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
     pass_of(s)->multiply(s, slab->first, slab->last, sum);
 }
 
-static void step_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    for (size_t i = slab->first; i < slab->last; ++i)
-        thick_step(s, i, with, sum);
-}
+SPH2D__SLAB_WORK(step_slab, thick_step(s, i, with, sum))
 
-static void turn_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)sum;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        thick_turn(s, i, with);
-}
+SPH2D__SLAB_WORK(turn_slab, thick_turn(s, i, with))
 
 void sph2d__thick_solve(sph2d__system *s, bool again)
 {
@@ -81,7 +72,7 @@ void sph2d__thick_solve(sph2d__system *s, bool again)
         const double length = left / bent, before = left;
         left = sph2d__over_fluid(s, step_slab, &length, NULL, 0).first;
         const double keep = left / before;
-        sph2d__over_fluid(s, turn_slab, &keep, NULL, 0);
+        sph2d__each_of_fluid(s, turn_slab, &keep, NULL, 0);
     }
     sph2d__over_particles(s, n, show_found, NULL);
     sph2d__images_of_velocity(s);

@@ -125,11 +125,7 @@ SPAN(go_back_pass, go_back)
 SPAN(begin_pass, start_some)
 SPAN(report_pass, report)
 
-static inline void one_stored(sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)
-{
-    store_one(s, i, sum);
-}
-SUM(store_pass, int, one_stored)
+TOTAL(store_pass, store_one)
 
 static inline void one_rate(sph2d__system *s, size_t i, const sweep_times *t, sph2d__slab_sum *sum)
 {
@@ -146,17 +142,8 @@ SUM(force_pass, double, one_force)
 SUM(sum_relaxed_pass, double, add_relaxed)
 SUM(relax_pass, double, relax_one)
 
-static inline void one_lifted(sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)
-{
-    add_lifted(s, i, sum);
-}
-SUM(sum_lifted_pass, int, one_lifted)
-
-static inline void one_shorter(sph2d__system *s, size_t i, const double *part, sph2d__slab_sum *sum)
-{
-    shorten_one(s, i, part);
-}
-SUM(shorten_pass, double, one_shorter)
+TOTAL(sum_lifted_pass, add_lifted)
+WITH(shorten_pass, double, shorten_one)
 
 static inline void nothing_after(const sph2d__system *s, double dt, size_t i)
 {

@@ -17,12 +17,7 @@ void sph2d__frozen_begin(sph2d__system *s)
     sph2d__over_particles(s, s->fluid.count, start_some, "begin_pass");
 }
 
-static void store_slab(sph2d__system *s, const sph2d__slab *slab, const void *with, sph2d__slab_sum *sum)
-{
-    (void)with;
-    for (size_t i = slab->first; i < slab->last; ++i)
-        store_one(s, i, sum);
-}
+SPH2D__SLAB_WORK(store_slab, store_one(s, i, sum))
 
 void sph2d__frozen_store_later(sph2d__system *s, sph2d__slab_sum *to)
 {

@@ -274,15 +274,15 @@ SPH2D__INLINE void rub(const sph2d__system *s, size_t i, vectors v, vectors *a, 
     *drag = (vectors){drag->x + m * by.x, drag->y + m * by.y};
 }
 
-/** Sums up external forces `a`, at velocity v, and the work of those that have no potential. */
-SPH2D__INLINE void drive(const sph2d__system *s, size_t i, size_t last, vectors a, vectors v, vectors middle,
-                         sph2d__slab_sum *sum)
+/** Sums up external forces `a`, at velocity v, and the work of those that have no potential. Returns that of those that take. */
+SPH2D__INLINE sph2d__lanes drive(const sph2d__system *s, size_t i, size_t last, vectors a, vectors v, vectors middle,
+                                 sph2d__slab_sum *sum)
 {
     const double impulse = s->mass * s->frozen->dt;
     add_lanes(&sum->x, s->mass * a.x, i, last);
     add_lanes(&sum->y, s->mass * a.y, i, last);
     add_lanes(&sum->fourth, impulse * dot(drive_of(s, i, v, SPH2D__WORK), middle), i, last);
-    add_lanes(&sum->second, impulse * dot(drive_of(s, i, v, SPH2D__LOSS), middle), i, last);
+    return impulse * dot(drive_of(s, i, v, SPH2D__LOSS), middle);
 }
 
 /** Particles in reservoirs keep their velocity. */

@@ -52,8 +52,9 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
     if (z->holds)
         hold(s, i, last, v, &a, sum);
     const vectors middle = {v.x + dt / 2 * a.x, v.y + dt / 2 * a.y}, next = {v.x + dt * a.x, v.y + dt * a.y};
+    sph2d__lanes lost = dt * dot(drag, middle);
     if (z->driven)
-        drive(s, i, last, driven, at, middle, sum);
+        lost += drive(s, i, last, driven, at, middle, sum);
     sph2d__lanes work = dt * dot(d, middle);
     if (mirrored)
         work += dt * m * dot(turned, middle);
@@ -61,7 +62,7 @@ SPH2D__INLINE void kick(sph2d__system *s, size_t i, size_t last, const force_sum
         work += dt * (repel * (dot(front, middle) - sph2d__lanes_load(z->front_speed + i)) -
                       brake * (dot(load(z->sx, z->sy, i), middle) - 0.5 * sph2d__lanes_load(z->wall_rate + i)));
     add_lanes(&sum->first, work, i, last);
-    add_lanes(&sum->second, dt * dot(drag, middle), i, last);
+    add_lanes(&sum->second, lost, i, last);
     sph2d__lanes_store(z->diffused + i, -once * dt * SPH2D__DIFFUSION * s->sound_speed * f->diffused);
     sph2d__lanes_store(t->ax + i, a.x);
     sph2d__lanes_store(t->ay + i, a.y);
