@@ -359,8 +359,10 @@ void sph2d__device_changed_on(sph2d__device *d, void *host)
 void sph2d__device_changed_one(sph2d__device *d, void *host)
 {
     block *b = host ? entry_of(d, host) : NULL;
-    if (b && b->host)
-        b->device_old = true;
+    if (!b || !b->host)
+        return;
+    b->device_old = true;
+    b->host_old = false;
 }
 
 uint64_t sph2d__device_spare(sph2d__device *d, const void *host)
@@ -466,7 +468,7 @@ static void launch(sph2d__device *d, const char *name, size_t count, const void 
         fail(d, d->cl->clEnqueueNDRangeKernel(d->queue, kernel, 1, NULL, &global, &local, 0, NULL, NULL), name);
     ++d->use.launches;
     for (size_t k = 0; k < MOST_BLOCKS; ++k)
-        if (d->blocks[k].owner & writes)
+        if (d->blocks[k].list == d->list && d->blocks[k].owner & writes)
             d->blocks[k].host_old = true;
 }
 
