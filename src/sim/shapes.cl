@@ -107,6 +107,14 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
     }                                                                                                                  \
     SUM(name, int, name##_one)
 
+/* The same of a span. */
+#define SWEEP(name, function)                                                                                          \
+    static inline void name##_one(sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)                   \
+    {                                                                                                                  \
+        function(s, i, i + 1, sum);                                                                                    \
+    }                                                                                                                  \
+    SUM(name, int, name##_one)
+
 static inline void add_parts(__local const sph2d__slab_sum *parts, size_t first, size_t count, __global uchar *to)
 {
     enum { SUMS = sizeof(sph2d__slab_sum) / sizeof(double) - 1 };

@@ -84,12 +84,12 @@ static void loosen_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
 static double loosen(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
-    sph2d__over_particles(s, s->fluid.count, pass_of(s)->rest, NULL);
-    sph2d__over_particles(s, s->fluid.count, expect_some, NULL);
+    sph2d__over_particles(s, s->fluid.count, pass_of(s)->rest, "rest_pass");
+    sph2d__over_particles(s, s->fluid.count, expect_some, "expect_pass");
     sph2d__images_of_pressure(s);
     sph2d__close_find(s);
     sph2d__images_of_rest(s);
-    const sph2d__slab_sum work = sph2d__over_fluid(s, loosen_slab, NULL, NULL, 0);
+    const sph2d__slab_sum work = sph2d__over_fluid(s, loosen_slab, NULL, "loosen_pass", 0);
     sim->record.energy_pressed -= work.first;
     sim->record.energy_fed -= work.third;
     sim->record.energy_diffused -= work.fourth;
@@ -104,7 +104,7 @@ SPH2D__SLAB_WORK(relax_slab, relax_step(s, i, with))
 static void relax(sph2d__system *s, double dt)
 {
     const double part = fmin(dt * sqrt(sph2d__head_of_sound(s)) / (RELAXATION * s->spacing), 1);
-    sph2d__each_of_fluid(s, relax_slab, &part, NULL, 0);
+    sph2d__each_of_fluid(s, relax_slab, &part, "relax_pass", sizeof part);
 }
 
 SPH2D__SLAB_WORK(cost_slab, add_cost(s, i, sum))
@@ -123,7 +123,7 @@ static void multiply_slab(sph2d__system *s, const sph2d__slab *slab, const void 
 static void transpose(sph2d__system *s)
 {
     sph2d__images_of_pressure(s);
-    sph2d__over_particles(s, s->fluid.count, pass_of(s)->transpose, NULL);
+    sph2d__over_particles(s, s->fluid.count, pass_of(s)->transpose, "transpose_pass");
 }
 
 /** The product of the matrix with the direction, whose pressures are in `press`; returns their own product. */
@@ -137,7 +137,7 @@ static double multiply(sph2d__system *s)
         sph2d__frozen_bodies_feed(s);
     }
     sph2d__images_of_velocity(s);
-    const sph2d__slab_sum sum = sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0);
+    const sph2d__slab_sum sum = sph2d__over_fluid(s, multiply_slab, NULL, "multiply_pass", 0);
     return sum.first + sum.second;
 }
 
@@ -158,12 +158,12 @@ static sph2d__slab_sum load(sph2d__system *s, bool again)
         if (s->rigid_count > 0)
             sph2d__frozen_bodies_pull(s, z->ahead);
     }
-    sph2d__over_particles(s, n, start_flow, NULL);
+    sph2d__over_particles(s, n, start_flow, "start_flow_pass");
     if (s->rigid_count > 0)
         sph2d__frozen_bodies_feed(s);
     sph2d__images_of_velocity(s);
-    sph2d__over_particles(s, n, pass_of(s)->diverge, NULL);
-    return sph2d__over_fluid(s, load_slab, &again, NULL, 0);
+    sph2d__over_particles(s, n, pass_of(s)->diverge, "diverge_pass");
+    return sph2d__over_fluid(s, load_slab, &again, "load_pass", sizeof again);
 }
 
 /* ---- conjugate gradients ----------------------------------------------------------------------------------------- */
@@ -184,23 +184,23 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
     factors f = {0, 0, 0};
     if (sum.third > 0) {
         first_curvature = multiply(s);
-        sph2d__over_particles(s, s->fluid.count, keep_first, NULL);
+        sph2d__over_particles(s, s->fluid.count, keep_first, "keep_first_pass");
         ++count;
         f.alpha = sum.second / first_curvature;
-        sum = sph2d__over_fluid(s, step_slab, &f, NULL, 0);
+        sum = sph2d__over_fluid(s, step_slab, &f, "step_pass", sizeof f);
         square = sum.first;
         f.gamma = sum.second / first_curvature;
     } else {
-        sph2d__over_particles(s, s->fluid.count, keep_first, NULL);
+        sph2d__over_particles(s, s->fluid.count, keep_first, "keep_first_pass");
     }
     while (square > wanted && count < s->method.max_iterations) {
-        sph2d__each_of_fluid(s, direct_slab, &f, NULL, 0);
+        sph2d__each_of_fluid(s, direct_slab, &f, "direct_pass", sizeof f);
         const double curvature = multiply(s);
         ++count;
         if (!(curvature > 0))
             break;
         f.alpha = square / curvature;
-        sum = sph2d__over_fluid(s, step_slab, &f, NULL, 0);
+        sum = sph2d__over_fluid(s, step_slab, &f, "step_pass", sizeof f);
         f.beta = sum.first / square;
         f.gamma = first_curvature > 0 ? sum.second / first_curvature : 0;
         square = sum.first;
@@ -213,8 +213,7 @@ static void solve(sph2d__system *s, sph2d__slab_sum sum)
 
 /* ---- once more --------------------------------------------------------------------------------------------------- */
 
-/** Counts particles that walls or others draw. */
-SPH2D__SLAB_WORK(count_drawn, sum->first += clings(s, i) || close_pulls(s, i))
+SPH2D__SLAB_WORK(count_drawn, sum->first += is_drawn(s, i))
 
 SPH2D__SLAB_WORK(take_back_slab, take_back(s, i, with))
 
@@ -224,15 +223,16 @@ SPH2D__SLAB_WORK(take_back_slab, take_back(s, i, with))
  *      part cost = paid + part^2 damped */
 static void pay(sph2d__system *s, double paid)
 {
-    const sph2d__slab_sum of = sph2d__over_fluid(s, cost_slab, NULL, NULL, 0);
+    const sph2d__slab_sum of = sph2d__over_fluid(s, cost_slab, NULL, "cost_pass", 0);
     const double cost = of.first, damped = fmax(of.second, 0);
     paid = fmax(paid + of.third, 0);
-    const bool enough = cost <= paid + damped, draws = sph2d__over_fluid(s, count_drawn, NULL, NULL, 0).first > 0;
+    const bool enough = cost <= paid + damped,
+               draws = sph2d__over_fluid(s, count_drawn, NULL, "count_drawn_pass", 0).first > 0;
     if ((enough && !draws) || s->unconverged || s->iterations >= s->method.max_iterations)
         return;
     const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
-    sph2d__each_of_fluid(s, take_back_slab, &part, NULL, 0);
-    sph2d__over_particles(s, s->fluid.count, keep_found, NULL);
+    sph2d__each_of_fluid(s, take_back_slab, &part, "take_back_pass", sizeof part);
+    sph2d__over_particles(s, s->fluid.count, keep_found, "keep_found_pass");
     solve(s, load(s, true));
 }
 
@@ -243,10 +243,10 @@ static void solve_thick(sph2d__system *s)
 {
     sph2d__thick_solve(s, false);
     solve(s, load(s, false));
-    sph2d__over_particles(s, s->fluid.count, press_found, NULL);
+    sph2d__over_particles(s, s->fluid.count, press_found, "press_found_pass");
     transpose(s);
-    sph2d__over_particles(s, s->fluid.count, expect_pressed, NULL);
-    sph2d__over_particles(s, s->fluid.count, keep_found, NULL);
+    sph2d__over_particles(s, s->fluid.count, expect_pressed, "expect_pressed_pass");
+    sph2d__over_particles(s, s->fluid.count, keep_found, "keep_found_pass");
     sph2d__thick_solve(s, true);
     solve(s, load(s, true));
 }
@@ -265,10 +265,10 @@ static void finish(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
-    sph2d__over_particles(s, s->fluid.count, press_solved, NULL);
+    sph2d__over_particles(s, s->fluid.count, press_solved, "press_solved_pass");
     transpose(s);
-    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL, NULL, 0),
-                          squeezed = sph2d__over_fluid(s, compress_slab, NULL, NULL, 0);
+    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL, "finish_pass", 0),
+                          squeezed = sph2d__over_fluid(s, compress_slab, NULL, "compress_pass", 0);
     sph2d__images_of_velocity(s); /* where they are now */
     r->energy_pressed -= work.first + squeezed.first + s->mass * s->frozen->dt / s->frozen->ahead * squeezed.second;
     r->energy_viscous -= work.second;

@@ -31,16 +31,30 @@
 #include "methods/common/on_device.h"
 #include "methods/wcsph/wcsph.h"
 
+/** The most rows that the particles of slab k have. */
+static size_t most_of_slab(const sph2d__system *s, size_t k)
+{
+    size_t most = 0;
+    for (size_t i = k * SPH2D__SLAB; i < (k + 1) * SPH2D__SLAB && i < s->fluid.count; ++i)
+        most += most_rows(s, i);
+    return most;
+}
+
 /** Where the rows of each slab of particles begin, and room for all of them. */
 bool sph2d__close_reserve(sph2d__system *s)
 {
     sph2d__frozen *z = s->frozen;
+    const bool away = sph2d__is_on_device(s);
+    const uint32_t *counts = away ? sph2d__device_read_by(s, "count_close", NULL, 0, sizeof *counts) : NULL;
     size_t wanted = 0;
-    for (size_t i = 0; i < s->fluid.count; ++i) {
-        if (i % SPH2D__SLAB == 0)
-            z->close_starts[i / SPH2D__SLAB] = wanted;
-        wanted += most_rows(s, i);
+    if (away && !counts)
+        return false;
+    for (size_t k = 0; k < sph2d__slabs(s->fluid.count); ++k) {
+        z->close_starts[k] = wanted;
+        wanted += away ? counts[k] : most_of_slab(s, k);
     }
+    if (away)
+        sph2d__host_changed_block(s, z->close_starts);
     if (wanted <= z->close_capacity)
         return true;
     void *block = z->close_rows;
@@ -60,7 +74,7 @@ static void find_some(sph2d__system *s, size_t first, size_t last)
 
 void sph2d__close_find(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->fluid.count, find_some, NULL);
+    sph2d__over_particles(s, s->fluid.count, find_some, "find_close");
 }
 
 void sph2d__close_free(sph2d__system *s)

@@ -11,16 +11,6 @@
 /* In place of another particle: walls. */
 SPH2D__FIXED size_t WALL = SIZE_MAX;
 
-struct sph2d__close_row {
-    size_t other;
-    double x, y;              /* s e [1/m] */
-    double theta;             /* the right side, but for the motion */
-    double scale;             /* s, of a wall, else 0 */
-    double solved, direction; /* q, and of its next change [m^2/s^2] */
-    double residual, product; /* what is left of the equation; the matrix times the direction */
-    double first, of_first;   /* what the solve starts from, and its product */
-};
-
 SPH2D__INLINE SPH2D__ARRAY sph2d__close_row *rows_of(const sph2d__frozen *z, size_t i)
 {
     return z->close_rows + z->first_close[i];

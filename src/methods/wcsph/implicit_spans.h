@@ -181,6 +181,12 @@ SPH2D__INLINE bool clings(const sph2d__system *s, size_t i)
     return beside && !s->fills && !(z->walled[i] > 0) && z->acts[i] > 0 && z->solved[i] < 0;
 }
 
+/** Whether a wall or another particle draws it. */
+SPH2D__INLINE bool is_drawn(const sph2d__system *s, size_t i)
+{
+    return clings(s, i) || close_pulls(s, i);
+}
+
 /** Keeps a part of the relaxation, and nothing that draws. */
 SPH2D__INLINE void take_back(sph2d__system *s, size_t i, const double *part)
 {

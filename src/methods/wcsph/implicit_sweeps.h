@@ -86,7 +86,7 @@ SPH2D__INLINE void rub_particles(sph2d__system *s, size_t i, vectors v, vectors 
 }
 
 /* Part of what differs that diffuses in a step, at most. */
-static const double MOST_DIFFUSED = 0.25;
+SPH2D__FIXED double MOST_DIFFUSED = 0.25;
 
 /** Density diffuses. */
 SPH2D__INLINE void diffuse(sph2d__system *s, size_t i, size_t last, const force_sums *f, sph2d__slab_sum *sum)

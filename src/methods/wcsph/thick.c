@@ -56,27 +56,27 @@ void sph2d__thick_solve(sph2d__system *s, bool again)
 {
     const size_t n = s->fluid.count;
     if (!again)
-        sph2d__over_particles(s, n, thick_start, NULL);
-    sph2d__over_particles(s, n, show_found, NULL);
+        sph2d__over_particles(s, n, thick_start, "thick_start_pass");
+    sph2d__over_particles(s, n, show_found, "show_found_pass");
     sph2d__images_of_velocity(s);
-    const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL, NULL, 0);
+    const sph2d__slab_sum sum = sph2d__over_fluid(s, load_slab, NULL, "thick_load_pass", 0);
     const double wanted = TOLERANCE * TOLERANCE * sum.second +
                           FLOOR * FLOOR * (double)n * s->method.max_compression * s->sound_speed * s->sound_speed;
     double left = sum.first;
-    sph2d__over_particles(s, n, show_way, NULL);
+    sph2d__over_particles(s, n, show_way, "show_way_pass");
     for (int k = 0; left > wanted && k < MOST; ++k) {
         sph2d__images_of_velocity(s);
-        const double bent = sph2d__over_fluid(s, multiply_slab, NULL, NULL, 0).first;
+        const double bent = sph2d__over_fluid(s, multiply_slab, NULL, "thick_multiply_pass", 0).first;
         if (!(bent > 0))
             break;
         const double length = left / bent, before = left;
-        left = sph2d__over_fluid(s, step_slab, &length, NULL, 0).first;
+        left = sph2d__over_fluid(s, step_slab, &length, "thick_step_pass", sizeof length).first;
         const double keep = left / before;
-        sph2d__each_of_fluid(s, turn_slab, &keep, NULL, 0);
+        sph2d__each_of_fluid(s, turn_slab, &keep, "thick_turn_pass", sizeof keep);
     }
-    sph2d__over_particles(s, n, show_found, NULL);
+    sph2d__over_particles(s, n, show_found, "show_found_pass");
     sph2d__images_of_velocity(s);
-    sph2d__over_particles(s, n, pass_of(s)->finish, NULL);
+    sph2d__over_particles(s, n, pass_of(s)->finish, "thick_finish_pass");
     if (again)
-        sph2d__over_particles(s, n, pass_of(s)->push_sides, NULL);
+        sph2d__over_particles(s, n, pass_of(s)->push_sides, "thick_sides_pass");
 }

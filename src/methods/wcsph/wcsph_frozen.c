@@ -145,6 +145,7 @@ static void tell_device(const sph2d__system *s)
         return;
 #define TELL(name) sph2d__host_changed_block(s, z->name);
     SPH2D__FROZEN_ARRAYS(TELL)
+    SPH2D__IMPLICIT_ARRAYS(TELL)
     SPH2D__FROZEN_RECORDS(TELL)
 #undef TELL
 }
@@ -156,12 +157,13 @@ static bool reserve(sph2d__system *s)
     const size_t slabs = sph2d__slabs(s->neighbours.particles), pairs = slabs * s->neighbours.each * SPH2D__SLAB;
     const size_t slices = slabs * SPH2D__SLAB / SPH2D__NARROWEST, particles = s->fluid.capacity + SPH2D__PADDING;
     sph2d__growth blocks[ALL];
+    bool grown = false;
     list_blocks(z, blocks);
     if (particles > z->capacity) {
         if (!sph2d__grow_all(s->memory, blocks, ARRAYS, z->capacity, particles))
             return false;
         z->capacity = particles;
-        tell_device(s);
+        grown = true;
     }
     if (pairs > z->pairs) {
         if (!sph2d__grow_all(s->memory, blocks + ARRAYS, PAIRS, z->pairs, pairs))
@@ -177,7 +179,10 @@ static bool reserve(sph2d__system *s)
         if (!sph2d__grow_all(s->memory, blocks + ARRAYS + PAIRS + SLICES, IMPLICIT, z->implicit, particles))
             return false;
         z->implicit = particles;
+        grown = true;
     }
+    if (grown)
+        tell_device(s);
     return true;
 }
 
@@ -204,6 +209,13 @@ static void place_frozen(const sph2d__system *s, void *copy)
 #define PLACE(name) sph2d__place_block(s, &to.name, z->capacity * sizeof *z->name, SPH2D__OF_FLUID);
     SPH2D__FROZEN_ARRAYS(PLACE)
 #undef PLACE
+#define PLACE(name) sph2d__place_block(s, &to.name, z->implicit * sizeof *z->name, SPH2D__OF_FLUID);
+    SPH2D__IMPLICIT_ARRAYS(PLACE)
+    PLACE(first_close)
+    PLACE(end_close)
+#undef PLACE
+    sph2d__place_block(s, &to.close_starts, sph2d__slabs(z->implicit) * sizeof *z->close_starts, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &to.close_rows, z->close_capacity * sizeof *z->close_rows, SPH2D__OF_FLUID);
 #define PLACE(name) sph2d__place_block(s, &to.name, z->capacity * 4 * sizeof *z->name, SPH2D__OF_FLUID);
     SPH2D__FROZEN_RECORDS(PLACE)
 #undef PLACE

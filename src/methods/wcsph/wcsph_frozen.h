@@ -111,7 +111,17 @@ static inline double sph2d__shortest_way(double d, double length)
 
 typedef struct sph2d__frozen_body sph2d__frozen_body;
 typedef struct sph2d__frozen_row sph2d__frozen_row;
-typedef struct sph2d__close_row sph2d__close_row;
+
+/** What is solved for of a close pair in an implicit step (implicit_close.c). */
+typedef struct sph2d__close_row {
+    size_t other;
+    double x, y;              /* s e [1/m] */
+    double theta;             /* the right side, but for the motion */
+    double scale;             /* s, of a wall, else 0 */
+    double solved, direction; /* q, and of its next change [m^2/s^2] */
+    double residual, product; /* what is left of the equation; the matrix times the direction */
+    double first, of_first;   /* what the solve starts from, and its product */
+} sph2d__close_row;
 
 /** Sites of a lattice on either side of a particle, in sums over a full one. */
 enum { SPH2D__LATTICE_REACH = 6 };
