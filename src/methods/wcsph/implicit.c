@@ -80,20 +80,15 @@ static void loosen_slab(sph2d__system *s, const sph2d__slab *slab, const void *w
     pass_of(s)->loosen(s, slab->first, slab->last, sum);
 }
 
-/** What acts once, by the velocities at the start. Returns what it dissipates [J/m]. */
-static double loosen(sph2d_sim *sim)
+/** What acts once, by the velocities at the start; its work is at *to later (slabs.h). */
+static void loosen(sph2d__system *s, sph2d__slab_sum *to)
 {
-    sph2d__system *s = &sim->system;
     sph2d__over_particles(s, s->fluid.count, pass_of(s)->rest, "rest_pass");
     sph2d__over_particles(s, s->fluid.count, expect_some, "expect_pass");
     sph2d__images_of_pressure(s);
     sph2d__close_find(s);
     sph2d__images_of_rest(s);
-    const sph2d__slab_sum work = sph2d__over_fluid(s, loosen_slab, NULL, "loosen_pass", 0);
-    sim->record.energy_pressed -= work.first;
-    sim->record.energy_fed -= work.third;
-    sim->record.energy_diffused -= work.fourth;
-    return -work.first - work.fourth;
+    sph2d__over_fluid_later(s, loosen_slab, NULL, "loosen_pass", 0, to);
 }
 
 /* ---- relaxation of density --------------------------------------------------------------------------------------- */
@@ -221,13 +216,11 @@ SPH2D__SLAB_WORK(take_back_slab, take_back(s, i, with))
  *  cost is no more than that part, as p is the larger the more of it there is, and damping takes its square:
  *
  *      part cost = paid + part^2 damped */
-static void pay(sph2d__system *s, double paid)
+static void pay(sph2d__system *s, double paid, const sph2d__slab_sum *of, bool draws)
 {
-    const sph2d__slab_sum of = sph2d__over_fluid(s, cost_slab, NULL, "cost_pass", 0);
-    const double cost = of.first, damped = fmax(of.second, 0);
-    paid = fmax(paid + of.third, 0);
-    const bool enough = cost <= paid + damped,
-               draws = sph2d__over_fluid(s, count_drawn, NULL, "count_drawn_pass", 0).first > 0;
+    const double cost = of->first, damped = fmax(of->second, 0);
+    paid = fmax(paid + of->third, 0);
+    const bool enough = cost <= paid + damped;
     if ((enough && !draws) || s->unconverged || s->iterations >= s->method.max_iterations)
         return;
     const double part = enough ? 1 : 2 * paid / (cost + sqrt(cost * cost - 4 * paid * damped));
@@ -265,44 +258,58 @@ static void finish(sph2d_sim *sim)
 {
     sph2d__system *s = &sim->system;
     sph2d__record *r = &sim->record;
+    sph2d__slab_sum work, squeezed, stored;
+    double stopped = 0, late = 0, rubbed = 0;
     sph2d__over_particles(s, s->fluid.count, press_solved, "press_solved_pass");
     transpose(s);
-    const sph2d__slab_sum work = sph2d__over_fluid(s, finish_slab, NULL, "finish_pass", 0),
-                          squeezed = sph2d__over_fluid(s, compress_slab, NULL, "compress_pass", 0);
+    sph2d__over_fluid_later(s, finish_slab, NULL, "finish_pass", 0, &work);
+    sph2d__over_fluid_later(s, compress_slab, NULL, "compress_pass", 0, &squeezed);
     sph2d__images_of_velocity(s); /* where they are now */
+    if (s->rigid_count > 0) {
+        stopped = sph2d__frozen_bodies_kick(s, 1, &rubbed);
+        late = sph2d__frozen_bodies_late(s);
+    }
+    sph2d__frozen_store_later(s, &stored);
+    sph2d__sums_settle(s);
     r->energy_pressed -= work.first + squeezed.first + s->mass * s->frozen->dt / s->frozen->ahead * squeezed.second;
     r->energy_viscous -= work.second;
     r->energy_fed -= work.third + squeezed.third;
     r->energy_forces += work.fourth;
     s->external = (sph2d_vec2){s->external.x + work.x, s->external.y + work.y};
-    if (s->rigid_count > 0) {
-        double friction;
-        r->energy_pressed -= sph2d__frozen_bodies_kick(s, 1, &friction);
-        r->energy_pressed -= sph2d__frozen_bodies_late(s);
-        r->energy_viscous -= friction;
-    }
+    r->energy_pressed -= stopped;
+    r->energy_pressed -= late;
+    r->energy_viscous -= rubbed;
+    r->energy_pressed -= s->mass * stored.first; /* is not dissipated */
 }
 
 void sph2d__implicit_sound(sph2d_sim *sim, double dt)
 {
     sph2d__system *s = &sim->system;
+    sph2d__record *r = &sim->record;
+    sph2d__slab_sum stored, loose, cost, drawn;
     set_bounds(s, dt);
     relax(s, dt);
     sph2d__frozen_begin(s);
     sph2d__frozen_start_external(s);
     sph2d__images_of_velocity(s);
-    sim->record.energy_fed += sph2d__frozen_store(s);
-    const double paid = loosen(sim);
+    sph2d__frozen_store_later(s, &stored);
+    loosen(s, &loose);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);
     s->iterations = 0;
     if (s->frozen->thick)
         solve_thick(s);
     else
         solve(s, load(s, false));
-    pay(s, paid);
+    sph2d__over_fluid_later(s, cost_slab, NULL, "cost_pass", 0, &cost);
+    sph2d__over_fluid_later(s, count_drawn, NULL, "count_drawn_pass", 0, &drawn);
+    sph2d__sums_settle(s);
+    r->energy_fed += s->mass * stored.first;
+    r->energy_pressed -= loose.first;
+    r->energy_fed -= loose.third;
+    r->energy_diffused -= loose.fourth;
+    pay(s, -loose.first - loose.fourth, &cost, drawn.first > 0);
     finish(sim);
-    sim->record.energy_pressed -= sph2d__frozen_store(s); /* is not dissipated */
-    sim->record.iterations += s->iterations;
-    sim->record.unconverged += s->unconverged;
-    sim->record.unconverged_row = s->unconverged ? sim->record.unconverged_row + 1 : 0;
+    r->iterations += s->iterations;
+    r->unconverged += s->unconverged;
+    r->unconverged_row = s->unconverged ? r->unconverged_row + 1 : 0;
 }

@@ -217,12 +217,11 @@ double sph2d__frozen_bodies_late(sph2d__system *system);
 double sph2d__side_energy(const sph2d__system *system, double x, double y);
 
 /** Parts of a step (wcsph_begin.c): the start, particles where they were; what neighbours see of a particle's velocity; external
- *  forces; the energy of close pairs and beside sides, of which it returns the change since it was last called [J/m]. */
+ *  forces; the energy of close pairs and beside sides, whose change since it was last called is in `first` of a sum that is
+ *  there later (slabs.h), over the mass of a particle. */
 void sph2d__frozen_begin(sph2d__system *system);
 void sph2d__frozen_start_motion(sph2d__system *system, size_t i);
 void sph2d__frozen_start_external(sph2d__system *system);
-double sph2d__frozen_store(sph2d__system *system);
-/** The same, in `first` of a sum that is there later, over the mass of a particle (slabs.h). */
 void sph2d__frozen_store_later(sph2d__system *system, sph2d__slab_sum *to);
 /** In place of acoustic steps, in method `constraint` (implicit.c). */
 void sph2d__implicit_sound(sph2d_sim *sim, double dt);

@@ -24,11 +24,6 @@ void sph2d__frozen_store_later(sph2d__system *s, sph2d__slab_sum *to)
     sph2d__over_fluid_later(s, store_slab, NULL, "store_pass", 0, to);
 }
 
-double sph2d__frozen_store(sph2d__system *s)
-{
-    return s->mass * sph2d__over_fluid(s, store_slab, NULL, "store_pass", 0).first;
-}
-
 /* Before what acoustic steps add. */
 void sph2d__frozen_start_external(sph2d__system *s)
 {
