@@ -307,6 +307,8 @@ $(BUILD)/tests/golden: $(GOLDEN_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d-co
 	$(call link,,$(IO_LIBS) $(CONTACTS_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/faults_library: $(FAULTS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
+$(BUILD)/tests/faulty_opencl.so: tests/device/faulty.c src/device/opencl_api.h
+	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -Isrc -shared -fPIC -o $@ $<
 $(BUILD)/tests/faults_shim.so: tests/faults/shim.c
 	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -shared -fPIC -o $@ $<
 $(FUZZ_BIN): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_DRIVER_OBJ) $(BUILD)/libsph2d-study.a \
@@ -418,7 +420,7 @@ WITH_NUMPY = $(firstword $(shell for p in $(PYTHONS); do "$$p" -c 'import numpy'
 # Not by the name that make runs lines for in a dry run, too.
 THIS_MAKE := $(MAKE)
 # Two tiers: what every change must pass, within minutes, and what takes longer.
-TESTED := $(BUILD)/sph2d $(BUILD)/tests/check_all $(if $(GOLDEN),$(BUILD)/tests/golden) $(FUZZ_BIN) $(FAULTS) \
+TESTED := $(BUILD)/sph2d $(BUILD)/tests/check_all $(if $(GOLDEN),$(BUILD)/tests/golden $(BUILD)/tests/faulty_opencl.so) $(FUZZ_BIN) $(FAULTS) \
     $(foreach l,$(LIBRARIES),$(BUILD)/$(l).so)
 test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing packages)
 	@for s in $$(sed -n 's/^Suite \*suite_\([a-z0-9_]*\)(.*/\1/p' $(TEST_SRC)); do \
@@ -440,6 +442,7 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
 	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) "$$(nproc)"))
+	$(if $(GOLDEN),$(call stage,tests/device/faults.sh $(BUILD)/tests/golden $(BUILD)/tests/faulty_opencl.so $(BUILD)/device_faults 12 6))
 	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
 	$(last_stage)
 
@@ -457,6 +460,7 @@ test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, re
 	$(call stage,tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes)
 	$(if $(SANITIZE),,$(call stage,CC='$(CC)' OPENMP='$(OPENMP)' RENDER='$(RENDER)' tests/python/wheel.sh --pypi '$(PYTHONS)' $(BUILD)/wheel-pypi))
 	$(call stage,$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv)
+	$(if $(GOLDEN),$(call stage,tests/device/faults.sh $(BUILD)/tests/golden $(BUILD)/tests/faulty_opencl.so $(BUILD)/device_faults))
 	$(call stage,$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt)
 	$(if $(WITH_RENDER),$(call stage,$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt))
 	$(call stage,tests/bench/command.sh $(BUILD)/sph2d particles=300 seconds=0.02 pairs=1 >$(BUILD)/tests/command.txt)
