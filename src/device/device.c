@@ -334,12 +334,19 @@ static void send_old(sph2d__device *d)
 void sph2d__device_fetch(sph2d__device *d, void *host)
 {
     block *b = host ? entry_of(d, host) : NULL;
-    if (!b || !b->host || !b->host_old || d->error != CL_SUCCESS)
+    if (!b || !b->host || b->list != d->list || !b->host_old || d->error != CL_SUCCESS)
         return;
     fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->arena, 1, b->offset, b->bytes, host, 0, NULL, NULL), "fetching");
     ++d->use.waits;
     d->use.fetched += b->bytes;
     b->host_old = false;
+}
+
+void sph2d__device_forget(sph2d__device *d, void *host)
+{
+    block *b = entry_of(d, host);
+    if (host && b->host)
+        *b = (block){.host = host}; /* which no list has, and which is new once it is placed */
 }
 
 void sph2d__device_changed(sph2d__device *d, unsigned owners)

@@ -82,6 +82,9 @@ void sph2d__device_fetch(sph2d__device *device, void *host);
 /** After the host has changed blocks of some owners, which it has fetched before. */
 void sph2d__device_changed(sph2d__device *device, unsigned owners);
 
+/** Before the host gives the memory of a block back, whose place another may take. */
+void sph2d__device_forget(sph2d__device *device, void *block);
+
 /** A kernel has changed a block by arguments; or the host one, alone. */
 void sph2d__device_changed_on(sph2d__device *device, void *host);
 void sph2d__device_changed_one(sph2d__device *device, void *host);

@@ -62,7 +62,7 @@ sph2d_status sph2d_sim_add_particles(sph2d_sim *sim, const sph2d_particle *parti
     sph2d__store *fluid = &sim->system.fluid;
     size_t before = fluid->count;
     sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
-    if (count > SPH2D__MAX_PARTICLES - before || !sph2d__store_reserve(fluid, &sim->memory, before + count))
+    if (count > SPH2D__MAX_PARTICLES - before || !sph2d__fluid_reserve(&sim->system, before + count))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < count; ++k) {
         sph2d_vec2 at = {particles[k].x, particles[k].y};

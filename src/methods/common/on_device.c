@@ -247,6 +247,10 @@ bool sph2d__fluid_reserve(sph2d__system *s, size_t capacity)
     if (capacity <= s->fluid.capacity)
         return true;
     sph2d__host_reads(s, SPH2D__EVERYTHING);
+    if (sph2d__is_on_device(s)) {
+        with_arrays(s->device, &s->fluid, SPH2D__EVERYTHING, sph2d__device_forget);
+        sph2d__device_forget(s->device, s->fluid.scratch);
+    }
     const bool reserved = sph2d__store_reserve(&s->fluid, s->memory, capacity);
     sph2d__host_changed(s, SPH2D__EVERYTHING);
     return reserved;
