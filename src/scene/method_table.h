@@ -4,16 +4,12 @@
 #ifndef SPH2D_SCENE_METHOD_TABLE_H
 #define SPH2D_SCENE_METHOD_TABLE_H
 
+#include "scene/apart.h"
 #include "sph2d/method.h"
 
 /** Side of a square of the grid of method hybrid [spacings]: with 3 the 99th percentile of the density is 2.8 % too high
  *  instead of 1.7, at the same cost; fewer than 1.5 leave holes in squares. */
 static const double SPH2D__SQUARE = 1.9;
-
-/** Method hybrid finds the order of particles at places moved by up to this, each by its number [spacings]: particles at one
- *  point would have no direction apart, and lines of a block's lattice that is drawn out stay lines, with slits between them.
- *  With 0.01 some slits are left, with 0.03 none, but liquid at rest moves by a twentieth more (docs/notes/hybrid.md). */
-static const double SPH2D__APART = 0.02;
 
 typedef struct sph2d__method_row {
     sph2d_method_info info;

@@ -107,8 +107,12 @@ void sph2d__over_particles(sph2d__system *s, size_t count, sph2d__span_work *wor
         over_slab(s, k, count, work);
 }
 
-void sph2d__begin_over_particles(sph2d__system *s, size_t count, sph2d__span_work *work)
+void sph2d__begin_over_particles(sph2d__system *s, size_t count, sph2d__span_work *work, const char *kernel)
 {
+    if (sph2d__is_on_device(s)) {
+        sph2d__device_span(s, kernel, count);
+        return;
+    }
     size_t slabs = sph2d__slabs(count);
 #pragma omp taskloop nogroup num_tasks(sph2d__tasks(slabs, 1)) if (slabs >= MIN_SLABS) firstprivate(work)
     for (size_t k = 0; k < slabs; ++k)

@@ -50,6 +50,6 @@ typedef void sph2d__span_work(sph2d__system *system, size_t first, size_t last);
 void sph2d__over_particles(sph2d__system *system, size_t count, sph2d__span_work *work, const char *kernel);
 
 /** Begins the same, and returns while threads may still be at it: the caller waits for them by `omp taskwait`. */
-void sph2d__begin_over_particles(sph2d__system *system, size_t count, sph2d__span_work *work);
+void sph2d__begin_over_particles(sph2d__system *system, size_t count, sph2d__span_work *work, const char *kernel);
 
 #endif

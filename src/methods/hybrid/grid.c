@@ -97,6 +97,7 @@ static void lay_out(sph2d__grid *g, size_t nozzles, room *r)
     g->face_y = take(r, g->size, sizeof(sph2d__quad));
     lay_out_sums(&g->sums, g->size, r);
     g->nozzles = take(r, nozzles, sizeof *g->nozzles);
+    g->jets = take(r, g->jet_count, sizeof *g->jets);
     g->inverse = take(r, g->body_count, sizeof *g->inverse);
     g->push = take(r, 3 * g->body_count, sizeof *g->push);
     g->impulses = take(r, g->body_count, sizeof *g->impulses);
@@ -146,6 +147,7 @@ sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
         return SPH2D_NOMEM;
     g->solver = sph2d__multigrid_find(s->isa);
     g->body_count = sim->bodies.count;
+    g->jet_count = sim->world.scene.source_count;
     set_shape(sim, g);
     room counted = {NULL, 0};
     const size_t nozzles = sph2d__grid_most_nozzles(&sim->world.scene, g);

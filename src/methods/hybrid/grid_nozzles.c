@@ -7,7 +7,6 @@
 #include <math.h>
 
 #include "methods/hybrid/grid.h"
-#include "sim/stages.h"
 
 /* A mouth this near to a face lies in it [squares]. */
 static const double ROUNDING = 1e-6;
@@ -69,14 +68,25 @@ static void add_mouth(const sph2d_scene *scene, sph2d__grid *g, size_t index, bo
 void sph2d__grid_place_nozzles(const sph2d_scene *scene, sph2d__grid *g)
 {
     g->nozzle_count = 0;
-    for (size_t k = 0; k < scene->source_count; ++k)
+    for (size_t k = 0; k < scene->source_count; ++k) {
+        const sph2d_source *s = &scene->sources[k];
+        const double length = hypot(s->direction.x, s->direction.y);
+        g->jets[k] = (sph2d__jet){.x = s->at.x,
+                                      .y = s->at.y,
+                                      .ux = s->direction.x / length,
+                                      .uy = s->direction.y / length,
+                                      .half_width = fmax(s->width, scene->spacing) / 2,
+                                      .speed = s->speed};
         for (int axis = 0; axis < 2; ++axis)
             add_mouth(scene, g, k, axis == 0);
+    }
 }
 
 void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *g)
 {
     const double now = sim->record.time;
+    for (size_t k = 0; k < g->jet_count; ++k)
+        g->jets[k].open = is_open(&sim->world.scene.sources[k], now);
     for (size_t n = 0; n < g->nozzle_count && sim->moving_count == 0; ++n) {
         const sph2d__nozzle *z = &g->nozzles[n];
         (z->x ? g->open_x : g->open_y)[z->face] = (z->x ? g->still_x : g->still_y)[z->face];
@@ -86,7 +96,7 @@ void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *g)
     for (size_t n = 0; n < g->nozzle_count; ++n) {
         sph2d__nozzle *z = &g->nozzles[n];
         float *open = &(z->x ? g->open_x : g->open_y)[z->face];
-        z->open = is_open(&sim->world.scene.sources[z->source], now) && (*open > 0 || z->side);
+        z->open = g->jets[z->source].open && (*open > 0 || z->side);
         if (!z->open)
             continue;
         *open = fmaxf(*open - z->part, 0);
@@ -103,26 +113,4 @@ double sph2d__grid_nozzle_work(const sph2d__grid *g, double density)
         if (z->open && g->level->inverse[z->square] > 0)
             sum += (double)(g->q[z->square] * z->flow);
     return density * sum;
-}
-
-/** Within a spacing before the mouth of a source liquid goes at least as fast as its jet, or the next row had no room. */
-static void keep_pace(const sph2d_sim *sim, const sph2d_source *s, double dt, sph2d__batch *w)
-{
-    const double length = hypot(s->direction.x, s->direction.y), spacing = sim->system.spacing;
-    const double ux = s->direction.x / length, uy = s->direction.y / length, half = fmax(s->width, spacing) / 2;
-    for (size_t k = 0; k < w->count; ++k) {
-        const double x = sim->system.fluid.x[w->first + k] - s->at.x, y = sim->system.fluid.y[w->first + k] - s->at.y;
-        const double along = x * ux + y * uy, late = dt * s->speed - (w->dx[k] * ux + w->dy[k] * uy);
-        if (along >= 0 && along < spacing && fabs(y * ux - x * uy) < half && late > 0) {
-            w->dx[k] += late * ux;
-            w->dy[k] += late * uy;
-        }
-    }
-}
-
-void sph2d__grid_keep_pace(const sph2d_sim *sim, double dt, sph2d__batch *batch)
-{
-    for (size_t k = 0; k < sim->world.scene.source_count; ++k)
-        if (is_open(&sim->world.scene.sources[k], sim->record.time))
-            keep_pace(sim, &sim->world.scene.sources[k], dt, batch);
 }

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "kernels/kernel.h"
 #include "methods/hybrid/grid.h"
+#include "methods/hybrid/hybrid_spans.h"
 #include "methods/terms/tension.h"
 #include "scene/method_table.h"
 #include "sim/stages.h"
@@ -32,58 +33,23 @@ static void prepare(sph2d__system *s)
 
 /* ---- packed copies ----------------------------------------------------------------------------------------------- */
 
-static void pack_places(const sph2d__store *t, const sph2d__cells *cells, double apart, size_t first, size_t last)
-{
-    float *x = sph2d__floats(t, t->packed_place, 0), *y = sph2d__floats(t, t->packed_place, 1);
-    for (size_t i = first; i < last; ++i) {
-        const uint32_t cell = cells->cell[cells->order[i]], row = cell / cells->nx;
-        x[i] = (float)(t->x[i] + apart * sph2d__hybrid_jitter(t->id[i], 20) -
-                       sph2d__tile_x(cells, cell - row * cells->nx));
-        y[i] = (float)(t->y[i] + apart * sph2d__hybrid_jitter(t->id[i], 40) - sph2d__tile_y(cells, row));
-    }
-}
-
-static void pack_fluid(sph2d__system *s, size_t first, size_t last)
-{
-    pack_places(&s->fluid, &s->fluid_cells, SPH2D__APART * s->spacing, first, last);
-}
-
-static void pack_walls(sph2d__system *s, size_t first, size_t last)
-{
-    const sph2d__store *w = &s->walls;
-    float *weight = sph2d__floats(w, w->packed_state, 0);
-    pack_places(w, &s->wall_cells, 0, first, last);
-    for (size_t b = first; b < last; ++b)
-        weight[b] = (float)(w->mass[b] / s->mass);
-}
-
 static void pack(sph2d__system *s)
 {
-    sph2d__over_particles(s, s->fluid.count, pack_fluid, NULL);
-    sph2d__over_particles(s, s->walls.count, pack_walls, NULL);
+    sph2d__over_particles(s, s->fluid.count, pack_fluid, "pack_fluid_pass");
+    sph2d__over_particles(s, s->walls.count, pack_walls, "wall_pack_pass");
     if (s->grid)
         s->grid->packed = s->fluid.capacity;
 }
 
 /* ---- one step ---------------------------------------------------------------------------------------------------- */
 
-static void accelerate(sph2d__system *s, size_t first, size_t last)
-{
-    sph2d__store *f = &s->fluid;
-    const sph2d__forces forces = s->forces; /* a copy, so that what it lacks is looked at once */
-    for (size_t i = first; i < last; ++i) {
-        f->ax[i] = f->ay[i] = 0;
-        sph2d__forces_add(&forces, (sph2d__place){f->x[i], f->y[i], f->vx[i], f->vy[i]}, &f->ax[i], &f->ay[i]);
-    }
-}
-
 static bool evaluate(sph2d__system *s)
 {
     const sph2d_phase before = sph2d__profile_enter(&s->profile, SPH2D_PHASE_DENSITY);
     pack(s);
-    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->density, NULL);
+    sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->density, "density_pass");
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_FORCES);
-    sph2d__over_particles(s, s->fluid.count, accelerate, NULL);
+    sph2d__over_particles(s, s->fluid.count, accelerate, "accelerate_pass");
     sph2d__tension_add(s);
     sph2d__profile_enter(&s->profile, before);
     return true;
@@ -95,19 +61,10 @@ static void begin_order(sph2d__system *s)
 {
     if (s->grid->packed != s->fluid.capacity) { /* none were, or a source made room */
         pack(s);
-        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->pack, NULL);
+        sph2d__over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->pack, "pack_pass");
     }
     s->grid->packed = 0; /* until the places at the end of the step are */
-    sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->order);
-}
-
-static void kick(sph2d__store *f, double dt)
-{
-#pragma omp taskloop num_tasks(sph2d__tasks(f->count, SPH2D__GRAIN)) if (f->count > SPH2D__GRAIN)
-    for (size_t i = 0; i < f->count; ++i) {
-        f->vx[i] += dt * f->ax[i];
-        f->vy[i] += dt * f->ay[i];
-    }
+    sph2d__begin_over_particles(s, s->fluid.count, sph2d__hybrid_passes_best(s->isa)->order, "order_pass");
 }
 
 /** Energy of the liquid, and the power of the forces without a potential. */
@@ -163,7 +120,7 @@ static sph2d_status step(sph2d_sim *sim, double dt)
     const energies before = energies_of(sim);
     const double booked = r->energy_stopped - r->energy_walls;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_MOVE);
-    kick(&s->fluid, dt);
+    sph2d__over_particles(s, s->fluid.count, kick, "kick_pass");
     sph2d__bodies_fall(sim, dt);
     sph2d__sim_set_drift_interval(sim, r->time, r->time + dt);
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_SOLVE);

@@ -37,20 +37,6 @@
 #include "particles/store.h"
 #include "simd/isa.h"
 
-/** One of the two arrays of floats in the space of an array of doubles. */
-static inline float *sph2d__floats(const sph2d__store *store, double *array, int which)
-{
-    void *floats = array; /* it never holds anything else */
-    return floats ? (float *)floats + (size_t)which * store->capacity : NULL;
-}
-
-/** How far the place of a particle is moved, over its bound; `shift`: along another axis. */
-static inline double sph2d__hybrid_jitter(uint64_t id, unsigned shift)
-{
-    const uint64_t mixed = (id + 1) * UINT64_C(0x9E3779B97F4A7C15) >> shift & 1023;
-    return (double)mixed / 512 - 1;
-}
-
 /** The pair loops, in floats, compiled once for each instruction set. */
 typedef struct sph2d__hybrid_passes {
     /** Sets the density of the fluid, and l and b in floats; these of densities that were read. */
