@@ -161,7 +161,7 @@ TEMPLATES := cli/study/page.html cli/study/plots.gp
 PLAY_SCENES := $(sort $(wildcard cli/play/scenes/*.yaml))
 # The programs of devices, each with all that it includes, and headers in place of those of C.
 PROGRAMS := $(sort $(filter-out %_shared.cl,$(wildcard src/device/*.cl src/methods/*/*.cl)))
-PROGRAM_PARTS := $(wildcard src/*/*.cl src/methods/*/*_shared.cl src/device/clc/*.h src/device/clc/*/*.h)
+PROGRAM_PARTS := $(wildcard src/*/*.cl src/methods/*/*_shared.cl src/device/clc/*.h src/device/clc/*/*.h src/device/clc/*/*/*.h)
 SHADERS := $(sort $(wildcard shaders/*.vert shaders/*.frag))
 SCRIPTS := .ci/run .ci/packages.sh cli/completions/sph2d.bash cli/web/sources.sh $(sort $(wildcard tests/cli/run-all tests/cli/*.sh tests/package/*.sh tests/report/*.sh tests/bench/*.sh \
     tests/strangers/*.sh tests/restarts/*.sh tests/threads/*.sh tests/ports/*.sh tests/valgrind/*.sh tests/long/*.sh tests/hard/*.sh \

@@ -22,11 +22,12 @@ typedef struct sph2d__device sph2d__device;
 
 /** Whose blocks, for what a kernel or the host has changed. A set of bits. */
 typedef enum sph2d__owner {
-    SPH2D__OF_FLUID = 1,     /**< the fluid's arrays and cells */
-    SPH2D__OF_WALLS = 2,     /**< those of boundary particles */
-    SPH2D__OF_SCENE = 4,     /**< what is made once */
-    SPH2D__OF_POINTS = 8,    /**< the points that attract */
-    SPH2D__OF_WALL_SUMS = 16 /**< what kernels write of boundary particles */
+    SPH2D__OF_FLUID = 1,      /**< the fluid's arrays and cells */
+    SPH2D__OF_WALLS = 2,      /**< those of boundary particles */
+    SPH2D__OF_SCENE = 4,      /**< what is made once */
+    SPH2D__OF_POINTS = 8,     /**< the points that attract */
+    SPH2D__OF_WALL_SUMS = 16, /**< what kernels write of boundary particles */
+    SPH2D__OF_GRID = 32       /**< a method's grid */
 } sph2d__owner;
 
 /** Particles that a group of threads works on together, whose sums are one: methods/common/slab.h. */

@@ -6,6 +6,7 @@
 static bool is_known(const sph2d_method_options *method)
 {
     return method->name == SPH2D_METHOD_MULLER || method->name == SPH2D_METHOD_CONSTRAINT ||
+           method->name == SPH2D_METHOD_HYBRID ||
            (method->name == SPH2D_METHOD_WCSPH && method->operators != SPH2D_OPERATORS_FITTED);
 }
 
@@ -30,7 +31,7 @@ const char *sph2d_device_refuses(const sph2d_scene *scene)
     if (!scene)
         return "there is no scene";
     if (!is_known(&scene->method))
-        return "devices know methods muller, wcsph and constraint alone";
+        return "devices know methods muller, wcsph, constraint and hybrid alone";
     if (scene->body_count > 0)
         return "devices do not know bodies";
     if (any_reflects(scene))

@@ -21,7 +21,10 @@ static void sum_motion(sph2d__system *s, const sph2d__slab *slab, const void *wi
 
 double sph2d__sim_energy_of_all(const sph2d_sim *sim)
 {
-    return sim->system.mass * sph2d__sum_fluid(&sim->system, sum_motion, NULL).second;
+    const sph2d__system *s = &sim->system;
+    return s->mass * (sph2d__is_on_device(s) ? sph2d__device_sum(s, "sum_energy", NULL, 0)
+                                             : sph2d__sum_fluid(s, sum_motion, NULL))
+                         .second;
 }
 
 double sph2d__sim_energy_of(const sph2d_sim *sim, double x, double y, double vx, double vy)

@@ -13,6 +13,7 @@ typedef unsigned long uintptr_t;
 
 #define UINT32_MAX 0xffffffffu
 #define UINT64_MAX 0xfffffffffffffffful
+#define UINT64_C(a) a##ul
 #define SIZE_MAX 0xfffffffffffffffful
 
 #endif

@@ -20,7 +20,9 @@ void sph2d__place_block(const sph2d__system *s, void *slot, size_t bytes, sph2d_
 }
 
 /* What kernels write of boundary particles. */
-#define WALL_SUMS (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume))
+#define WALL_SUMS                                                                                                      \
+    (SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__BIT(volume) | SPH2D__BIT(packed_place) |                      \
+     SPH2D__BIT(packed_state))
 
 void sph2d__place_store(const sph2d__system *s, sph2d__store *t, sph2d__owner owner)
 {
@@ -116,7 +118,9 @@ void sph2d__device_rebind(const sph2d__system *s)
 
 static unsigned writes_of(const char *kernel)
 {
-    return strncmp(kernel, "wall_", 5) == 0 ? SPH2D__OF_WALL_SUMS : SPH2D__OF_FLUID;
+    return strncmp(kernel, "wall_", 5) == 0   ? SPH2D__OF_WALL_SUMS
+           : strncmp(kernel, "grid_", 5) == 0 ? SPH2D__OF_GRID
+                                              : SPH2D__OF_FLUID;
 }
 
 void sph2d__device_span_with(const sph2d__system *s, const char *kernel, size_t count, const void *with, size_t bytes)

@@ -4,7 +4,8 @@
  *
  *  Where the loops of a method run on the processor or, with `system.device`, by kernels of its program (methods/NAME/NAME.cl): these are
  *  the same functions, compiled as OpenCL C, so that they make the same bits. A kernel gets a copy of the system with offsets of blocks in
- *  place of addresses. One whose name begins with wall_ writes arrays of boundary particles, any other those of the fluid. */
+ *  place of addresses. One whose name begins with wall_ writes arrays of boundary particles, with grid_ those of the grid, any other
+ *  those of the fluid. */
 #ifndef SPH2D_METHODS_COMMON_ON_DEVICE_H
 #define SPH2D_METHODS_COMMON_ON_DEVICE_H
 
@@ -21,7 +22,7 @@ struct sph2d__extra {
 
 /** Turns an address in a copy of a struct into the offset of a block. */
 void sph2d__place_block(const sph2d__system *system, void *slot, size_t bytes, sph2d__owner owner);
-void sph2d__place_store(const sph2d__system *system, sph2d__store *copy, sph2d__owner owner);
+void sph2d__place_store(const sph2d__system *system, sph2d__store *to, sph2d__owner owner);
 void sph2d__place_cells(const sph2d__system *system, sph2d__cells *copy, sph2d__owner owner);
 
 /** Runs a kernel on particles 0 to count - 1. */
@@ -76,6 +77,13 @@ static inline void sph2d__host_reads_walls(const sph2d__system *s)
 {
     if (sph2d__is_on_device(s))
         sph2d__device_fetch_walls(s);
+}
+
+/** Before it reads a block. */
+static inline void sph2d__host_reads_block(const sph2d__system *s, void *block)
+{
+    if (sph2d__is_on_device(s))
+        sph2d__device_fetch(s->device, block);
 }
 
 /** After the host has changed arrays of the fluid, which it has read before. */

@@ -135,6 +135,7 @@ void sph2d__grid_free(sph2d__system *s)
     sph2d__release(s->memory, &block, s->grid->block_size, 1);
     sph2d__release(s->memory, &grid, 1, sizeof *s->grid);
     s->grid = NULL;
+    s->extra = NULL;
 }
 
 sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
@@ -162,5 +163,6 @@ sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
     lay_out(g, nozzles, &given);
     sph2d__grid_place_solids(sim, g);
     sph2d__grid_place_nozzles(&sim->world.scene, g);
+    s->extra = &sph2d__grid_extra;
     return SPH2D_OK;
 }

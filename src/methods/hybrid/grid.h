@@ -37,6 +37,10 @@ void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *grid);
 /** The work of sources on the liquid before them, by pressure [J/m]. */
 double sph2d__grid_nozzle_work(const sph2d__grid *grid, double density);
 
+/** What the kernels of a device get of the grid; hands them what the host has solved for (grid_device.c). */
+extern const struct sph2d__extra sph2d__grid_extra;
+void sph2d__grid_solved(const sph2d__system *system);
+
 struct sph2d__batch;
 
 /** Sums velocities, densities and pressures of the particles (to_grid.c). */

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "kernels/kernel.h"
+#include "methods/common/on_device.h"
 #include "methods/hybrid/grid.h"
 #include "methods/hybrid/hybrid_spans.h"
 #include "methods/terms/tension.h"
@@ -115,6 +116,7 @@ static sph2d_status step(sph2d_sim *sim, double dt)
     if (status != SPH2D_OK)
         return status;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
+    sph2d__host_reads_block(s, s->fluid_cells.start);
 #pragma omp task
     sph2d__grid_find_spans(sim, s->grid);
     const energies before = energies_of(sim);
@@ -131,6 +133,7 @@ static sph2d_status step(sph2d_sim *sim, double dt)
     sph2d__grid_sum(sim, s->grid, dt);
     begin_order(s);
     sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
+    sph2d__grid_solved(s);
 #pragma omp taskwait
     if (status != SPH2D_OK)
         return status;

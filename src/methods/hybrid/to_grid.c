@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "methods/common/on_device.h"
 #include "methods/hybrid/grid.h"
 
 /* Squares around those that particles touch: equations read those beside liquid, and what these say about theirs. */
@@ -106,7 +107,8 @@ void sph2d__grid_find_spans(const sph2d_sim *sim, sph2d__grid *g)
         --g->last;
 }
 
-void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *g, double dt)
+/** Sums up all rows, by bands that threads share. */
+static void sum_bands(sph2d_sim *sim, const sph2d__grid *g, double dt)
 {
     const int rows = g->last + 1;
     const int share = (rows - g->first) / (2 * sph2d__threads()) + 1, band = share > LEAST_BAND ? share : LEAST_BAND;
@@ -114,6 +116,23 @@ void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *g, double dt)
 #pragma omp taskloop grainsize(1) if (rows - g->first > band)
     for (int j = g->first; j < rows; j += band)
         pass->sum(sim, j, j + band < rows ? j + band : rows, dt);
+}
+
+static void sum_on_device(const sph2d__system *s, const sph2d__grid *g, double dt)
+{
+    sph2d__device_span_with(s, "grid_sum", g->size, &dt, sizeof dt);
+    sph2d__host_reads_block(s, g->sums.x);
+    sph2d__host_reads_block(s, g->sums.y);
+    sph2d__host_reads_block(s, g->sums.middle);
+}
+
+void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *g, double dt)
+{
+    const int rows = g->last + 1;
+    if (sph2d__is_on_device(&sim->system))
+        sum_on_device(&sim->system, g, dt);
+    else
+        sum_bands(sim, g, dt);
     if (g->wraps_x)
         fold_all(g, g->nx, 1, g->first, rows, g->stride);
     if (g->wraps_y)

@@ -53,6 +53,13 @@ static inline size_t row_at(const sph2d__cells *c, const sph2d__grid *g, double 
     return row > 0 ? row < c->ny - 1.0 ? (size_t)row : c->ny - 1 : 0;
 }
 
+/** The column of cells at x. */
+static inline size_t column_at(const sph2d__cells *c, const sph2d__grid *g, double x)
+{
+    const double column = (g->low_x + x / g->inverse_x - c->origin_x) * c->inverse_x;
+    return column > 0 ? column < c->nx - 1.0 ? (size_t)column : c->nx - 1 : 0;
+}
+
 /** Rows of cells with the particles that touch rows `first` to `last` - 1 of the grid: from *begin to *end. */
 static inline void rows_touching(const sph2d__cells *c, const sph2d__grid *g, int first, int last, size_t *begin,
                                  size_t *end)

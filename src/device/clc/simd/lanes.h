@@ -10,14 +10,17 @@
 
 #define SPH2D__INLINE static inline __attribute__((always_inline))
 #define SPH2D__LANES 1
-typedef double sph2d__real;
-typedef double sph2d__lanes;
-
 #define SPH2D__LANE(a, l) (a)
+#ifdef SPH2D__MIXED
+typedef float sph2d__real;
+#else
+typedef double sph2d__real;
+#endif
+typedef sph2d__real sph2d__lanes;
 
 SPH2D__INLINE sph2d__lanes sph2d__lanes_all(double a)
 {
-    return a;
+    return (sph2d__real)a;
 }
 SPH2D__INLINE sph2d__lanes sph2d__lanes_sqrt(sph2d__lanes a)
 {
@@ -35,17 +38,16 @@ SPH2D__INLINE sph2d__lanes sph2d__lanes_where(sph2d__lanes left, sph2d__lanes ri
 {
     return left > right ? a : 0;
 }
-SPH2D__INLINE sph2d__lanes sph2d__lanes_load(__global const double *from)
-{
-    return *from;
-}
+/* Of any memory. */
+#define sph2d__lanes_load(from) (*(from))
+/* From a slot of a neighbour list to the next: threads that run together read side by side. */
+#define SPH2D__STRIDE SPH2D__DEVICE_STRIDE
+
+#ifndef SPH2D__MIXED
 SPH2D__INLINE void sph2d__lanes_store(__global double *to, sph2d__lanes a)
 {
     *to = a;
 }
-
-/* From a slot of a neighbour list to the next: threads that run together read side by side. */
-#define SPH2D__STRIDE SPH2D__DEVICE_STRIDE
 
 typedef struct sph2d__four {
     sph2d__lanes a, b, c, d;
@@ -80,5 +82,7 @@ SPH2D__INLINE void sph2d__four_store(__global float *to, sph2d__four v)
 {
     vstore4((float4)((float)v.a, (float)v.b, (float)v.c, (float)v.d), 0, to);
 }
+
+#endif
 
 #endif
