@@ -226,12 +226,9 @@ static block *entry_of(sph2d__device *d, const void *host)
     return &d->blocks[k];
 }
 
-uint64_t sph2d__device_offset_of(const sph2d__device *d, const void *host)
+uint64_t sph2d__device_offset_of(sph2d__device *d, const void *host)
 {
-    for (size_t k = 0; k < MOST_BLOCKS; ++k)
-        if (d->blocks[k].host == host)
-            return d->blocks[k].offset;
-    return 0;
+    return host ? entry_of(d, host)->offset : 0;
 }
 
 static size_t rounded(size_t bytes)
@@ -407,12 +404,20 @@ static cl_kernel kernel_named(sph2d__device *d, const char *name)
     return kernel;
 }
 
+/** Goes on to the next slot but that of what all kernels read. */
+static void next_slot(sph2d__device *d)
+{
+    do {
+        d->slot = (d->slot + 1) % SLOTS;
+        if (d->slot == 0 && d->error == CL_SUCCESS) /* the driver may not have read all of them yet */
+            fail(d, d->cl->clFinish(d->queue), "waiting");
+    } while (d->slot == d->numbers_slot);
+}
+
 /** Copies numbers to the next slot of the device, before all kernels that come. Returns the slot. */
 static unsigned send_numbers(sph2d__device *d, const void *numbers, size_t bytes)
 {
-    d->slot = (d->slot + 1) % SLOTS;
-    if (d->slot == 0 && d->error == CL_SUCCESS) /* the driver may not have read all of them yet */
-        fail(d, d->cl->clFinish(d->queue), "waiting");
+    next_slot(d);
     if (bytes > 0)
         memcpy(d->slots[d->slot], numbers, bytes);
     if (d->error == CL_SUCCESS && bytes > 0)

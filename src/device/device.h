@@ -56,7 +56,7 @@ void sph2d__device_forget_numbers(sph2d__device *device);
 /** Whether the host had the same numbers at the last call with this place; notes them. */
 bool sph2d__device_knows(sph2d__device *device, size_t at, const void *numbers, size_t bytes);
 /** The offset of a block that is placed; 0: there is none. */
-uint64_t sph2d__device_offset_of(const sph2d__device *device, const void *host);
+uint64_t sph2d__device_offset_of(sph2d__device *device, const void *host);
 
 /** What a kernel is run with: numbers that all of its threads read, the same until they are set anew. */
 void sph2d__device_numbers(sph2d__device *device, const void *numbers, size_t bytes);
