@@ -164,5 +164,6 @@ sph2d_status sph2d__grid_prepare(sph2d_sim *sim)
     sph2d__grid_place_solids(sim, g);
     sph2d__grid_place_nozzles(&sim->world.scene, g);
     s->extra = &sph2d__grid_extra;
+    g->on_device = sph2d__is_on_device(s) ? s : NULL;
     return SPH2D_OK;
 }

@@ -37,9 +37,12 @@ void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *grid);
 /** The work of sources on the liquid before them, by pressure [J/m]. */
 double sph2d__grid_nozzle_work(const sph2d__grid *grid, double density);
 
-/** What the kernels of a device get of the grid; hands them what the host has solved for (grid_device.c). */
+/** What the kernels of a device get of the grid; the equations, their solution, and what faces say, from and to it where a device solves
+ *  (grid_device.c). */
 extern const struct sph2d__extra sph2d__grid_extra;
-void sph2d__grid_solved(const sph2d__system *system);
+void sph2d__grid_send(const sph2d__grid *grid);
+void sph2d__grid_fetch(const sph2d__grid *grid);
+void sph2d__grid_send_faces(const sph2d__grid *grid);
 
 struct sph2d__batch;
 
@@ -98,6 +101,11 @@ static inline void sph2d__level_clear(const sph2d__level *l, float *field, int f
     memset(field + (size_t)from * l->stride, 0, (size_t)(to - from) * l->stride * sizeof *field);
 }
 
+/** Runs a kernel with `count` threads, where a device solves (grid_device.c); one that sums up rows of level 0 in floats: their
+ *  sum, in their order. */
+void sph2d__grid_run(const sph2d__grid *grid, const char *kernel, size_t count, const sph2d__grid_work *with);
+double sph2d__grid_sum_rows(const sph2d__grid *grid, const sph2d__grid_work *with);
+
 /** Sets the squares of the ring of a periodic domain. */
 static inline void sph2d__level_wrap(const sph2d__grid *g, const sph2d__level *l, float *field)
 {
@@ -110,6 +118,16 @@ static inline void sph2d__level_wrap(const sph2d__grid *g, const sph2d__level *l
         memcpy(field, field + (size_t)l->ny * l->stride, l->stride * sizeof *field);
         memcpy(field + (size_t)(l->ny + 1) * l->stride, field + l->stride, l->stride * sizeof *field);
     }
+}
+
+/** The same, wherever the field is. */
+static inline void sph2d__grid_wrap(const sph2d__grid *g, const sph2d__level *l, float *field)
+{
+    const sph2d__grid_work with = {.field = {field}, .level = (int)(l - g->level)};
+    if (!g->on_device)
+        sph2d__level_wrap(g, l, field);
+    else if (g->wraps_x || g->wraps_y)
+        sph2d__grid_run(g, "grid_wrap", l->size, &with);
 }
 
 #endif

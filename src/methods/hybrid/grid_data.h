@@ -126,6 +126,7 @@ typedef struct sph2d__grid {
     struct sph2d__twist *impulses;
     size_t body_count;
     const struct sph2d__multigrid *solver;
+    const struct sph2d__system *on_device; /**< whose device solves; NULL: the host does */
     uint64_t next_id; /**< with the count it tells whether particles came or went since the last step */
     size_t count;
     double surface_energy; /**< at the last evaluation [J/m] */
@@ -133,6 +134,21 @@ typedef struct sph2d__grid {
     void *block;   /**< all arrays */
     size_t block_size;
 } sph2d__grid;
+
+/** What a kernel that works on the squares of a level gets: fields of it or of the next one, numbers. */
+typedef struct sph2d__grid_work {
+    SPH2D__ARRAY float *field[4];
+    float factor;
+    int level, times;
+} sph2d__grid_work;
+
+/** The square itself, or that inside which square (i, j) of the ring of a periodic domain stands for. */
+static inline size_t sph2d__inside_of(const sph2d__grid *g, const sph2d__level *l, int i, int j)
+{
+    const int column = !g->wraps_x ? i : i == 0 ? l->nx : i == l->nx + 1 ? 1 : i;
+    const int row = !g->wraps_y ? j : j == 0 ? l->ny : j == l->ny + 1 ? 1 : j;
+    return (size_t)row * l->stride + (size_t)column;
+}
 
 /** Part of the bilinear weights around a point that is beyond a straight wall at a distance, in squares. */
 static inline float sph2d__hidden_part(float t)

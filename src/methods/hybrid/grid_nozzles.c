@@ -72,11 +72,11 @@ void sph2d__grid_place_nozzles(const sph2d_scene *scene, sph2d__grid *g)
         const sph2d_source *s = &scene->sources[k];
         const double length = hypot(s->direction.x, s->direction.y);
         g->jets[k] = (sph2d__jet){.x = s->at.x,
-                                      .y = s->at.y,
-                                      .ux = s->direction.x / length,
-                                      .uy = s->direction.y / length,
-                                      .half_width = fmax(s->width, scene->spacing) / 2,
-                                      .speed = s->speed};
+                                  .y = s->at.y,
+                                  .ux = s->direction.x / length,
+                                  .uy = s->direction.y / length,
+                                  .half_width = fmax(s->width, scene->spacing) / 2,
+                                  .speed = s->speed};
         for (int axis = 0; axis < 2; ++axis)
             add_mouth(scene, g, k, axis == 0);
     }

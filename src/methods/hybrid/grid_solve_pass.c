@@ -384,16 +384,18 @@ static void solve(sph2d__grid *g, double viscosity)
     set_volumes(g);
     sph2d__grid_level_pockets(g, g->pressure.residual);
     sph2d__grid_level_pockets(g, g->volume.residual);
-    g->solver->prepare(g);
     for (int j = g->first; j <= g->last; ++j)
         SPH2D__FOR_SPAN(g, j, k)
     g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
     sph2d__grid_wet_parts(g);
-#pragma omp task
+    sph2d__grid_send(g);
+    g->solver->prepare(g);
+#pragma omp task if (!g->on_device)
     g->solver->solve(g, &g->volume, g->s, false, VOLUME_ITERATIONS); /* around bodies where they are */
     g->solver->solve(g, &g->pressure, g->q, true, PRESSURE_ITERATIONS + BODY_ITERATIONS * (int)g->body_count);
-    sph2d__grid_level_pockets(g, g->q);
 #pragma omp taskwait
+    sph2d__grid_fetch(g);
+    sph2d__grid_level_pockets(g, g->q);
     sph2d__level_wrap(g, l, g->q);
     sph2d__level_wrap(g, l, g->s);
     set_faces(g);

@@ -8,7 +8,9 @@
 static inline sph2d__grid placed_grid(__global uchar *arena, __global const uchar *at)
 {
     sph2d__grid g = *(__global const sph2d__grid *)at;
-    g.q = BLOCK(float, g.q);
+#define PLACE(name) g.name = BLOCK(float, g.name);
+    PLACE(q)
+#undef PLACE
     g.face_x = BLOCK(sph2d__quad, g.face_x);
     g.face_y = BLOCK(sph2d__quad, g.face_y);
     g.jets = BLOCK(sph2d__jet, g.jets);
@@ -16,6 +18,19 @@ static inline sph2d__grid placed_grid(__global uchar *arena, __global const ucha
     g.sums.y = BLOCK(sph2d__pair2, g.sums.y);
     g.sums.middle = BLOCK(sph2d__quad, g.sums.middle);
     return g;
+}
+
+/* One level of it: as a thread's own array of all, which it would index, they would be in slow memory. */
+static inline sph2d__level placed_level(__global uchar *arena, __global const uchar *at, int n)
+{
+    sph2d__level l = ((__global const sph2d__grid *)at)->level[n];
+    l.left = BLOCK(float, l.left);
+    l.below = BLOCK(float, l.below);
+    l.air = BLOCK(float, l.air);
+    l.inverse = BLOCK(float, l.inverse);
+    l.from = BLOCK(int, l.from);
+    l.to = BLOCK(int, l.to);
+    return l;
 }
 
 #define SYSTEM                                                                                                         \
@@ -69,4 +84,127 @@ __kernel void grid_sum(ARGUMENTS)
     grid.sums.x[k] = (sph2d__pair2){to.left.x, to.left.y};
     grid.sums.y[k] = (sph2d__pair2){to.lower.x, to.lower.y};
     grid.sums.middle[k] = to.middle;
+}
+
+/* ---- multigrid --------------------------------------------------------------------------------------------------- */
+
+#include "methods/hybrid/multigrid.h"
+
+/* The work of a kernel, its fields, the level that it works on, and the next finer one. */
+#define WORK                                                                                                           \
+    const size_t k = get_global_id(0);                                                                                 \
+    const sph2d__grid_work with = *(__global const sph2d__grid_work *)(numbers + own_at);                              \
+    __global const uchar *grid_at = numbers + system_at + sizeof(sph2d__system);                                       \
+    __global float *a = BLOCK(float, with.field[0]), *b = BLOCK(float, with.field[1]),                                 \
+                   *c = BLOCK(float, with.field[2]), *d = BLOCK(float, with.field[3]);                                 \
+    const sph2d__level l = placed_level(arena, grid_at, with.level);                                                   \
+    const int i = (int)(k % l.stride), j = (int)(k / l.stride);                                                        \
+    const couplings by = couplings_of(&l);
+
+/* A kernel that does something to liquid squares k. */
+#define ON_LIQUID(name, something)                                                                                     \
+    __kernel void name(ARGUMENTS)                                                                                      \
+    {                                                                                                                  \
+        WORK                                                                                                           \
+        if (k < count && is_within(&l, i, j)) {                                                                        \
+            something;                                                                                                 \
+        }                                                                                                              \
+    }
+
+ON_LIQUID(grid_multiply, b[k] = product_at(&by, a, k))
+ON_LIQUID(grid_start, a[k] = DAMPING * l.inverse[k] * b[k])
+ON_LIQUID(grid_sweep, a[k] += DAMPING * l.inverse[k] * (b[k] - c[k]))
+ON_LIQUID(grid_invert, l.inverse[k] = inverse_at(&by, k))
+ON_LIQUID(grid_rest, a[k] = l.inverse[k] > 0 ? a[k] - b[k] : 0)
+ON_LIQUID(grid_direct, a[k] = with.times > 0 ? b[k] + with.factor * a[k] : b[k])
+ON_LIQUID(grid_advance, a[k] += with.factor * c[k]; b[k] -= with.factor * d[k])
+ON_LIQUID(grid_restrict, const sph2d__level fine = placed_level(arena, grid_at, with.level - 1);
+          a[k] = l.inverse[k] > 0 ? left_in(&fine, b, c, i, j) : 0)
+ON_LIQUID(grid_prolong, const sph2d__level coarse = placed_level(arena, grid_at, with.level + 1);
+          a[k] += l.inverse[k] > 0 ? b[coarse_of(&coarse, i, j)] : 0)
+
+__kernel void grid_coarsen_rows(ARGUMENTS)
+{
+    WORK
+    const sph2d__level fine = placed_level(arena, grid_at, with.level - 1);
+    if (k < (size_t)l.ny + 2)
+        coarsen_row(&fine, &l, (int)k);
+}
+
+__kernel void grid_coarsen(ARGUMENTS)
+{
+    WORK
+    const sph2d__level fine = placed_level(arena, grid_at, with.level - 1);
+    if (k >= count)
+        return;
+    l.left[k] = l.below[k] = l.air[k] = l.inverse[k] = 0;
+    if (has_faces(&l, i, j))
+        couple(&fine, &l, i, j);
+}
+
+static inline void wrap_one(const sph2d__grid *g, const sph2d__level *l, __global float *field, size_t k)
+{
+    const int i = (int)(k % l->stride), j = (int)(k / l->stride);
+    const size_t inside = sph2d__inside_of(g, l, i, j);
+    if (inside != k && (j > 0 || g->wraps_y) && (j <= l->ny || (g->wraps_y && j == l->ny + 1)))
+        field[k] = field[inside];
+}
+
+__kernel void grid_wrap(ARGUMENTS)
+{
+    WORK
+    const sph2d__grid grid = *(__global const sph2d__grid *)grid_at;
+    if (k < count)
+        wrap_one(&grid, &l, a, k);
+}
+
+/* All sweeps on a small level, by one group. */
+__kernel void grid_smooth(ARGUMENTS)
+{
+    WORK
+    const sph2d__grid grid = *(__global const sph2d__grid *)grid_at;
+#define FOR_SQUARES(some)                                                                                              \
+    barrier(CLK_GLOBAL_MEM_FENCE);                                                                                     \
+    for (size_t n = k; n < l.size; n += SPH2D__SLAB)                                                                   \
+        if (some)
+#define IS_LIQUID is_within(&l, (int)(n % l.stride), (int)(n / l.stride))
+    FOR_SQUARES(IS_LIQUID)
+    a[n] = DAMPING * l.inverse[n] * b[n];
+    for (int sweep = 0; sweep < with.times; ++sweep) {
+        FOR_SQUARES(grid.wraps_x || grid.wraps_y)
+        wrap_one(&grid, &l, a, n);
+        FOR_SQUARES(IS_LIQUID)
+        c[n] = product_at(&by, a, n);
+        FOR_SQUARES(IS_LIQUID)
+        a[n] += DAMPING * l.inverse[n] * (b[n] - c[n]);
+    }
+#undef FOR_SQUARES
+#undef IS_LIQUID
+}
+
+/* The products of a row, each thread those of every eighth square. */
+__kernel void grid_dot(ARGUMENTS)
+{
+    __local float parts[SPH2D__SLAB];
+    const size_t row = get_global_id(0) / SIDE_BY_SIDE, n = get_global_id(0) % SIDE_BY_SIDE, l = get_local_id(0);
+    const sph2d__grid_work with = *(__global const sph2d__grid_work *)(numbers + own_at);
+    const sph2d__level of = placed_level(arena, numbers + system_at + sizeof(sph2d__system), 0);
+    __global const float *a = BLOCK(float, with.field[0]), *b = BLOCK(float, with.field[1]);
+    float sum = 0;
+    if (row >= 1 && row <= of.ny) {
+        const size_t at = row * of.stride, end = at + (size_t)of.to[row] + 1;
+        size_t k = at + (size_t)of.from[row];
+        for (; k + SIDE_BY_SIDE <= end; k += SIDE_BY_SIDE)
+            sum += a[k + n] * b[k + n];
+        for (; k < end && n == 0; ++k)
+            sum += a[k] * b[k];
+    }
+    parts[l] = sum;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (n > 0)
+        return;
+    float all[SIDE_BY_SIDE];
+    for (int m = 0; m < SIDE_BY_SIDE; ++m)
+        all[m] = parts[l + m];
+    ((__global float *)results)[row] = sum_of_row(all);
 }

@@ -7,13 +7,9 @@
 
 #include "methods/hybrid/grid.h"
 
-/** The square itself, or that inside which a square of the ring of a periodic domain stands for. */
 static size_t square_of(const sph2d__grid *g, size_t k)
 {
-    const size_t j = k / g->stride, i = k - j * g->stride;
-    const size_t column = !g->wraps_x ? i : i == 0 ? (size_t)g->nx : i == (size_t)g->nx + 1 ? 1 : i;
-    const size_t row = !g->wraps_y ? j : j == 0 ? (size_t)g->ny : j == (size_t)g->ny + 1 ? 1 : j;
-    return row * g->stride + column;
+    return sph2d__inside_of(g, g->level, (int)(k % g->stride), (int)(k / g->stride));
 }
 
 /** Marks all that is coupled with the squares that members first to count - 1 name, and adds it to them. */
