@@ -1,3 +1,4 @@
 /* SPDX-License-Identifier: MIT */
 /** @file math.h
- *  OpenCL C has these functions built in. */
+ *  OpenCL C has these functions built in, for floats by the same names. */
+#define sqrtf(a) sqrt((float)(a))

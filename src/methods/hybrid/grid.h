@@ -37,12 +37,14 @@ void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *grid);
 /** The work of sources on the liquid before them, by pressure [J/m]. */
 double sph2d__grid_nozzle_work(const sph2d__grid *grid, double density);
 
-/** What the kernels of a device get of the grid; the equations, their solution, and what faces say, from and to it where a device solves
- *  (grid_device.c). */
+/** What the kernels of a device get of the grid (grid_device.c). */
 extern const struct sph2d__extra sph2d__grid_extra;
-void sph2d__grid_send(const sph2d__grid *grid);
-void sph2d__grid_fetch(const sph2d__grid *grid);
-void sph2d__grid_send_faces(const sph2d__grid *grid);
+/** Where a device solves: before the host reads some of the grid's arrays, after it has written some. */
+void sph2d__grid_fetch(const sph2d__grid *grid, void *const *arrays, size_t count);
+void sph2d__grid_send(const sph2d__grid *grid, void *const *arrays, size_t count);
+/** There: sph2d__grid_sum, and what a solution does to squares that solids cut. */
+void sph2d__grid_sum_on_device(const sph2d__grid *grid, double dt);
+void sph2d__grid_fill_cut_squares(const sph2d__grid *grid);
 
 struct sph2d__batch;
 

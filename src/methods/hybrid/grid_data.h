@@ -135,6 +135,12 @@ typedef struct sph2d__grid {
     size_t block_size;
 } sph2d__grid;
 
+/** The fields of squares that kernels read and write, besides those of levels and solutions. */
+#define SPH2D__GRID_FIELDS(X)                                                                                          \
+    X(open_x)                                                                                                          \
+    X(open_y) X(wall_x) X(wall_y) X(room) X(hidden) X(mass) X(excess) X(filled) X(u) X(v) X(wet_x) X(wet_y) X(air_x)   \
+        X(air_y) X(q) X(s)
+
 /** What a kernel that works on the squares of a level gets: fields of it or of the next one, numbers. */
 typedef struct sph2d__grid_work {
     SPH2D__ARRAY float *field[4];
@@ -148,6 +154,30 @@ static inline size_t sph2d__inside_of(const sph2d__grid *g, const sph2d__level *
     const int column = !g->wraps_x ? i : i == 0 ? l->nx : i == l->nx + 1 ? 1 : i;
     const int row = !g->wraps_y ? j : j == 0 ? l->ny : j == l->ny + 1 ? 1 : j;
     return (size_t)row * l->stride + (size_t)column;
+}
+
+/** Adds what lies beyond one end of a period, along a line of `n` squares `step` apart, to the other end. */
+static inline void sph2d__fold(const sph2d__sums *s, size_t into, size_t from)
+{
+    s->x[into].value += s->x[from].value;
+    s->x[into].weight += s->x[from].weight;
+    s->y[into].value += s->y[from].value;
+    s->y[into].weight += s->y[from].weight;
+    s->middle[into] += s->middle[from];
+}
+
+static inline void sph2d__fold_line(const sph2d__sums *s, size_t at, int n, size_t step)
+{
+    const size_t last = at + (size_t)n * step;
+    sph2d__fold(s, last, at);                       /* 0 is n */
+    sph2d__fold(s, at + step, last + step);         /* n + 1 is 1 */
+    sph2d__fold(s, at + 2 * step, last + 2 * step); /* n + 2 is 2 */
+    const size_t to[2] = {at, last + step}, from[2] = {last, at + step};
+    for (int k = 0; k < 2; ++k) {
+        s->x[to[k]] = s->x[from[k]];
+        s->y[to[k]] = s->y[from[k]];
+        s->middle[to[k]] = s->middle[from[k]];
+    }
 }
 
 /** Part of the bilinear weights around a point that is beyond a straight wall at a distance, in squares. */

@@ -40,45 +40,34 @@ static void place(const sph2d__system *s, void *copy)
         place_level(s, &g->level[n]);
     place_work(s, g, &g->pressure);
     place_work(s, g, &g->volume);
-    sph2d__place_block(s, &g->q, g->size * sizeof *g->q, SPH2D__OF_GRID);
-    sph2d__place_block(s, &g->s, g->size * sizeof *g->s, SPH2D__OF_GRID);
-    sph2d__place_block(s, &g->face_x, g->size * sizeof *g->face_x, SPH2D__OF_GRID);
-    sph2d__place_block(s, &g->face_y, g->size * sizeof *g->face_y, SPH2D__OF_GRID);
+#define PLACE(name) sph2d__place_block(s, &g->name, g->size * sizeof *g->name, SPH2D__OF_GRID);
+    SPH2D__GRID_FIELDS(PLACE)
+    PLACE(face_x)
+    PLACE(face_y)
+    PLACE(sums.x)
+    PLACE(sums.y)
+    PLACE(sums.middle)
+    PLACE(cut)
+#undef PLACE
+    sph2d__place_block(s, &g->begin, ((size_t)g->ny + 4) * sizeof *g->begin, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &g->end, ((size_t)g->ny + 4) * sizeof *g->end, SPH2D__OF_SCENE);
+    sph2d__place_block(s, &g->nozzles, g->nozzle_count * sizeof *g->nozzles, SPH2D__OF_SCENE);
     sph2d__place_block(s, &g->jets, g->jet_count * sizeof *g->jets, SPH2D__OF_SCENE);
-    sph2d__place_block(s, &g->sums.x, g->size * sizeof *g->sums.x, SPH2D__OF_GRID);
-    sph2d__place_block(s, &g->sums.y, g->size * sizeof *g->sums.y, SPH2D__OF_GRID);
-    sph2d__place_block(s, &g->sums.middle, g->size * sizeof *g->sums.middle, SPH2D__OF_GRID);
 }
 
 _Static_assert(sizeof(sph2d__grid) <= SPH2D__MOST_EXTRA, "kernels get a grid of this size");
 const struct sph2d__extra sph2d__grid_extra = {sizeof(sph2d__grid), data_of, place};
 
-static void changed(const sph2d__grid *g, void *const *blocks, size_t count)
+void sph2d__grid_fetch(const sph2d__grid *g, void *const *arrays, size_t count)
 {
     for (size_t k = 0; g->on_device && k < count; ++k)
-        sph2d__host_changed_block(g->on_device, blocks[k]);
+        sph2d__host_reads_block(g->on_device, arrays[k]);
 }
 
-void sph2d__grid_send(const sph2d__grid *g)
+void sph2d__grid_send(const sph2d__grid *g, void *const *arrays, size_t count)
 {
-    const sph2d__level *l = g->level;
-    void *const all[] = {
-        l->left, l->below, l->air, l->inverse, l->from, l->to, g->pressure.residual, g->volume.residual, g->q, g->s};
-    changed(g, all, sizeof all / sizeof *all);
-}
-
-void sph2d__grid_fetch(const sph2d__grid *g)
-{
-    if (!g->on_device)
-        return;
-    sph2d__host_reads_block(g->on_device, g->q);
-    sph2d__host_reads_block(g->on_device, g->s);
-}
-
-void sph2d__grid_send_faces(const sph2d__grid *g)
-{
-    void *const all[] = {g->q, g->face_x, g->face_y, g->jets};
-    changed(g, all, sizeof all / sizeof *all);
+    for (size_t k = 0; g->on_device && k < count; ++k)
+        sph2d__host_changed_block(g->on_device, arrays[k]);
 }
 
 /** Fields as offsets. */
@@ -108,4 +97,46 @@ double sph2d__grid_sum_rows(const sph2d__grid *g, const sph2d__grid_work *with)
     for (size_t j = 1; sums && j < rows; ++j)
         sum += (double)sums[j];
     return sum;
+}
+
+void sph2d__grid_sum_on_device(const sph2d__grid *g, double dt)
+{
+    const sph2d__grid_work across = {.times = 0}, along = {.times = 1};
+    sph2d__grid_send(g, (void *[]){g->begin, g->end}, 2);
+    if (g->nozzle_count > 0)
+        sph2d__grid_send(g, (void *[]){g->open_x, g->open_y, g->hidden, g->cut, g->nozzles, g->jets}, 6);
+    sph2d__grid_run(g, "grid_clear", g->size, &(sph2d__grid_work){0});
+    sph2d__device_span_with(g->on_device, "grid_sum", g->size, &dt, sizeof dt);
+    if (g->wraps_x)
+        sph2d__grid_run(g, "grid_fold", (size_t)g->ny + 4, &across);
+    if (g->wraps_y)
+        sph2d__grid_run(g, "grid_fold", (size_t)g->nx + 4, &along);
+}
+
+/** How many squares inside solids do not yet tell how full they are, after one sweep more. */
+static uint32_t spread(const sph2d__grid *g)
+{
+    const sph2d__grid_work none = {0};
+    sph2d__grid_run(g, "grid_look_beside", g->cut_count, &none);
+    const uint32_t *left =
+        sph2d__device_results(g->on_device->device, "grid_spread", g->cut_count, NULL, 0, SPH2D__OF_GRID, sizeof *left);
+    uint32_t sum = 0;
+    for (size_t k = 0; left && k < (g->cut_count + SPH2D__DEVICE_GROUP - 1) / SPH2D__DEVICE_GROUP; ++k)
+        sum += left[k];
+    return sum;
+}
+
+void sph2d__grid_fill_cut_squares(const sph2d__grid *g)
+{
+    const sph2d__grid_work none = {0};
+    if (g->cut_count == 0)
+        return;
+    sph2d__grid_run(g, "grid_begin_cut", g->cut_count, &none);
+    sph2d__grid_run(g, "grid_look_at_cut", g->cut_count, &none);
+    uint32_t before, left = UINT32_MAX;
+    do {
+        before = left;
+        left = spread(g);
+    } while (left > 0 && left < before);
+    sph2d__grid_run(g, "grid_fill_cut", g->cut_count, &none);
 }

@@ -109,6 +109,8 @@ void sph2d__grid_open_nozzles(const sph2d_sim *sim, sph2d__grid *g)
 double sph2d__grid_nozzle_work(const sph2d__grid *g, double density)
 {
     double sum = 0;
+    if (g->nozzle_count > 0)
+        sph2d__grid_fetch(g, (void *[]){g->q, g->level->inverse}, 2);
     for (const sph2d__nozzle *z = g->nozzles, *end = z + g->nozzle_count; z < end; ++z)
         if (z->open && g->level->inverse[z->square] > 0)
             sum += (double)(g->q[z->square] * z->flow);

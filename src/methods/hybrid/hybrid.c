@@ -133,7 +133,6 @@ static sph2d_status step(sph2d_sim *sim, double dt)
     sph2d__grid_sum(sim, s->grid, dt);
     begin_order(s);
     sph2d__grid_passes_find(s->isa)->solve(s->grid, dt * s->viscosity / s->rest_density);
-    sph2d__grid_send_faces(s->grid);
 #pragma omp taskwait
     if (status != SPH2D_OK)
         return status;

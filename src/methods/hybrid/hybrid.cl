@@ -9,10 +9,22 @@ static inline sph2d__grid placed_grid(__global uchar *arena, __global const ucha
 {
     sph2d__grid g = *(__global const sph2d__grid *)at;
 #define PLACE(name) g.name = BLOCK(float, g.name);
-    PLACE(q)
+    SPH2D__GRID_FIELDS(PLACE)
+    PLACE(pressure.residual)
+    PLACE(volume.residual)
+    PLACE(level[0].left)
+    PLACE(level[0].below)
+    PLACE(level[0].air)
+    PLACE(level[0].inverse)
 #undef PLACE
+    g.level[0].from = BLOCK(int, g.level[0].from);
+    g.level[0].to = BLOCK(int, g.level[0].to);
+    g.begin = BLOCK(int, g.begin);
+    g.end = BLOCK(int, g.end);
+    g.cut = BLOCK(uint32_t, g.cut);
     g.face_x = BLOCK(sph2d__quad, g.face_x);
     g.face_y = BLOCK(sph2d__quad, g.face_y);
+    g.nozzles = BLOCK(sph2d__nozzle, g.nozzles);
     g.jets = BLOCK(sph2d__jet, g.jets);
     g.sums.x = BLOCK(sph2d__pair2, g.sums.x);
     g.sums.y = BLOCK(sph2d__pair2, g.sums.y);
@@ -207,4 +219,79 @@ __kernel void grid_dot(ARGUMENTS)
     for (int m = 0; m < SIDE_BY_SIDE; ++m)
         all[m] = parts[l + m];
     ((__global float *)results)[row] = sum_of_row(all);
+}
+
+/* ---- equations and faces ----------------------------------------------------------------------------------------- */
+
+#include "methods/hybrid/grid_squares.h"
+
+/* The grid, level 0 of which has square k, and the number of a kernel's work. */
+#define GRID                                                                                                           \
+    const size_t k = get_global_id(0);                                                                                 \
+    const sph2d__grid_work with = *(__global const sph2d__grid_work *)(numbers + own_at);                              \
+    sph2d__grid grid = placed_grid(arena, numbers + system_at + sizeof(sph2d__system));                                \
+    const sph2d__grid *g = &grid;
+
+/* A kernel that does something to squares, or lines, k that fulfil a condition. */
+#define ON_GRID(name, condition, something)                                                                            \
+    __kernel void name(ARGUMENTS)                                                                                      \
+    {                                                                                                                  \
+        GRID                                                                                                           \
+        if (k < count && (condition)) {                                                                                \
+            something;                                                                                                 \
+        }                                                                                                              \
+    }
+#define HAS_FACES has_faces(&grid.level[0], (int)(k % grid.stride), (int)(k / grid.stride))
+#define HAS_LIQUID is_within(&grid.level[0], (int)(k % grid.stride), (int)(k / grid.stride))
+
+ON_GRID(grid_clear, true, grid.mass[k] = grid.excess[k] = grid.u[k] = grid.v[k] = grid.q[k] = grid.s[k] = 0;
+        grid.air_x[k] = grid.air_y[k] = grid.wet_x[k] = grid.wet_y[k] = 0;
+        grid.level[0].left[k] = grid.level[0].below[k] = grid.level[0].air[k] = grid.level[0].inverse[k] = 0;
+        grid.face_x[k] = grid.face_y[k] = (sph2d__quad)(0))
+ON_GRID(grid_fold, true,
+        sph2d__fold_line(&grid.sums, with.times ? k : k * grid.stride, with.times ? grid.ny : grid.nx,
+                         with.times ? grid.stride : 1))
+ON_GRID(grid_means, is_set(g, k), take_mean(g, k))
+ON_GRID(grid_set_jets, true, set_jets(g))
+ON_GRID(grid_find_liquid, true, find_liquid_of(g, (int)k))
+ON_GRID(grid_couple_faces, HAS_FACES, couple_faces(g, k))
+ON_GRID(grid_set_equations, HAS_LIQUID, set_equation(g, k))
+ON_GRID(grid_feed, true, feed(g))
+ON_GRID(grid_set_volumes, is_set(g, k), grid.s[k] = 0; if (HAS_LIQUID) set_volume(g, k))
+ON_GRID(grid_keep_liquid, is_set(g, k), grid.q[k] = is_liquid(g, k) ? grid.q[k] : 0)
+ON_GRID(grid_keep_known, is_set(g, k), grid.q[k] = grid.level[0].inverse[k] > 0 ? grid.q[k] : 0)
+ON_GRID(grid_press, HAS_FACES, press_faces(g, with.factor, k))
+ON_GRID(grid_set_faces, HAS_FACES, set_faces_of(g, k))
+ON_GRID(grid_close_jets, true, close_jets(g))
+ON_GRID(grid_close_sides, true, close_side(g, (int)(k % 4), (int)(k / 4) + 1))
+ON_GRID(grid_continue, is_set(g, k), continue_pressure_to(g, k))
+ON_GRID(grid_wrap_faces, true, wrap_quad(g, grid.face_x, (int)(k % grid.stride), (int)(k / grid.stride));
+        wrap_quad(g, grid.face_y, (int)(k % grid.stride), (int)(k / grid.stride)))
+
+/* Of squares that solids cut, k in their list. */
+#define CUT grid.cut[k]
+#define IS_INSIDE (is_set(g, CUT) && !(grid.hidden[CUT] < 0.5F))
+ON_GRID(grid_begin_cut, is_set(g, CUT), grid.s[CUT] = UNKNOWN)
+ON_GRID(grid_look_at_cut, is_set(g, CUT), grid.pressure.residual[CUT] = mean_beside(g, grid.s, CUT))
+ON_GRID(grid_look_beside, IS_INSIDE && grid.s[CUT] < 0, grid.filled[k] = mean_beside(g, grid.s, CUT))
+ON_GRID(grid_fill_cut, is_set(g, CUT), fill_hidden(g, grid.pressure.residual, grid.s, CUT))
+
+__kernel void grid_spread(ARGUMENTS)
+{
+    __local uint32_t counts[SPH2D__SLAB];
+    const size_t k = get_global_id(0), l = get_local_id(0);
+    sph2d__grid grid = placed_grid(arena, numbers + system_at + sizeof(sph2d__system));
+    const sph2d__grid *g = &grid;
+    counts[l] = 0;
+    if (k < count && IS_INSIDE && grid.s[CUT] < 0) {
+        grid.s[CUT] = grid.filled[k];
+        counts[l] = grid.filled[k] < 0;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (l > 0)
+        return;
+    uint32_t sum = 0;
+    for (size_t n = 0; n < SPH2D__SLAB; ++n)
+        sum += counts[n];
+    ((__global uint32_t *)results)[get_group_id(0)] = sum;
 }

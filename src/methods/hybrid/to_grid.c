@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "methods/common/on_device.h"
 #include "methods/hybrid/grid.h"
 
 /* Squares around those that particles touch: equations read those beside liquid, and what these say about theirs. */
@@ -13,38 +12,6 @@ enum { MARGIN = 2 };
 
 /* The fewest rows of a task: at both ends it looks at some particles of its neighbours. */
 enum { LEAST_BAND = 8 };
-
-/** Adds what lies beyond one end of a period to the other end. */
-static void fold(const sph2d__grid *g, size_t into, size_t from)
-{
-    const sph2d__sums *s = &g->sums;
-    s->x[into].value += s->x[from].value;
-    s->x[into].weight += s->x[from].weight;
-    s->y[into].value += s->y[from].value;
-    s->y[into].weight += s->y[from].weight;
-    s->middle[into] += s->middle[from];
-}
-
-static void copy(const sph2d__grid *g, size_t to, size_t from)
-{
-    g->sums.x[to] = g->sums.x[from];
-    g->sums.y[to] = g->sums.y[from];
-    g->sums.middle[to] = g->sums.middle[from];
-}
-
-/** Folds a periodic direction of `n` squares, in which neighbours are `step` apart, along lines `first` to
- *  `lines` - 1, `line` apart. */
-static void fold_all(const sph2d__grid *g, int n, size_t step, int first, int lines, size_t line)
-{
-    for (int k = first; k < lines; ++k) {
-        const size_t at = (size_t)k * line, last = at + (size_t)n * step;
-        fold(g, last, at);                       /* 0 is n */
-        fold(g, at + step, last + step);         /* n + 1 is 1 */
-        fold(g, at + 2 * step, last + 2 * step); /* n + 2 is 2 */
-        copy(g, at, last);
-        copy(g, last + step, at + step);
-    }
-}
 
 /* ---- which squares ----------------------------------------------------------------------------------------------- */
 
@@ -83,7 +50,8 @@ void sph2d__grid_find_spans(const sph2d_sim *sim, sph2d__grid *g)
     const sph2d__cells *c = &sim->system.fluid_cells;
     const bool wraps = g->wraps_x || g->wraps_y;
     for (int j = 0; j < g->ny + 4; ++j) {
-        clear_span(g, j);
+        if (!g->on_device)
+            clear_span(g, j);
         g->begin[j] = 0;
         g->end[j] = wraps ? g->nx + 4 : 0;
     }
@@ -118,23 +86,15 @@ static void sum_bands(sph2d_sim *sim, const sph2d__grid *g, double dt)
         pass->sum(sim, j, j + band < rows ? j + band : rows, dt);
 }
 
-static void sum_on_device(const sph2d__system *s, const sph2d__grid *g, double dt)
-{
-    sph2d__device_span_with(s, "grid_sum", g->size, &dt, sizeof dt);
-    sph2d__host_reads_block(s, g->sums.x);
-    sph2d__host_reads_block(s, g->sums.y);
-    sph2d__host_reads_block(s, g->sums.middle);
-}
-
 void sph2d__grid_sum(sph2d_sim *sim, sph2d__grid *g, double dt)
 {
-    const int rows = g->last + 1;
-    if (sph2d__is_on_device(&sim->system))
-        sum_on_device(&sim->system, g, dt);
-    else
-        sum_bands(sim, g, dt);
-    if (g->wraps_x)
-        fold_all(g, g->nx, 1, g->first, rows, g->stride);
-    if (g->wraps_y)
-        fold_all(g, g->ny, g->stride, 0, g->nx + 4, 1);
+    if (g->on_device) {
+        sph2d__grid_sum_on_device(g, dt);
+        return;
+    }
+    sum_bands(sim, g, dt);
+    for (int j = g->first; j <= g->last && g->wraps_x; ++j)
+        sph2d__fold_line(&g->sums, sph2d__at(g, 0, j), g->nx, 1);
+    for (int i = 0; i < g->nx + 4 && g->wraps_y; ++i)
+        sph2d__fold_line(&g->sums, (size_t)i, g->ny, g->stride);
 }
