@@ -39,7 +39,9 @@ typedef struct sph2d__pair2 {
 } sph2d__pair2;
 
 /** What a face says: its new velocity, a displacement, and 1; zeros where it is not known. */
-enum { SPH2D__NEW, SPH2D__DISPLACEMENT, SPH2D__KNOWN };
+#define SPH2D__NEW(face) SPH2D__PART(face, 0)
+#define SPH2D__DISPLACEMENT(face) SPH2D__PART(face, 1)
+#define SPH2D__KNOWN(face) SPH2D__PART(face, 2)
 
 /** Sums over particles, with bilinear weights. */
 typedef struct sph2d__sums {
@@ -136,10 +138,11 @@ typedef struct sph2d__grid {
 } sph2d__grid;
 
 /** The fields of squares that kernels read and write, besides those of levels and solutions. */
+/* clang-format off */
 #define SPH2D__GRID_FIELDS(X)                                                                                          \
-    X(open_x)                                                                                                          \
-    X(open_y) X(wall_x) X(wall_y) X(room) X(hidden) X(mass) X(excess) X(filled) X(u) X(v) X(wet_x) X(wet_y) X(air_x)   \
-        X(air_y) X(q) X(s)
+    X(open_x) X(open_y) X(wall_x) X(wall_y) X(room) X(hidden) X(mass) X(excess) X(filled)                              \
+    X(u) X(v) X(wet_x) X(wet_y) X(air_x) X(air_y) X(q) X(s)
+/* clang-format on */
 
 /** What a kernel that works on the squares of a level gets: fields of it or of the next one, numbers. */
 typedef struct sph2d__grid_work {

@@ -32,9 +32,9 @@ static inline void take_mean(const sph2d__grid *g, size_t k)
 {
     const sph2d__pair2 x = g->sums.x[k], y = g->sums.y[k];
     const sph2d__quad m = g->sums.middle[k];
-    g->mass[k] = m[0] * g->room[k];
-    g->excess[k] = ratio(m[1], m[0]);
-    g->q[k] = ratio(m[2], m[0]);
+    g->mass[k] = SPH2D__PART(m, 0) * g->room[k];
+    g->excess[k] = ratio(SPH2D__PART(m, 1), SPH2D__PART(m, 0));
+    g->q[k] = ratio(SPH2D__PART(m, 2), SPH2D__PART(m, 0));
     g->u[k] = g->open_x[k] > 0 ? ratio(x.value, x.weight) : g->wall_x[k];
     g->v[k] = g->open_y[k] > 0 ? ratio(y.value, y.weight) : g->wall_y[k];
 }
@@ -219,7 +219,7 @@ static inline void press_faces(const sph2d__grid *g, float factor, size_t k)
 /** What a face says: `part` of the difference of q and s over a square's side. */
 static inline sph2d__quad face_of(float part, float velocity, float change, float displacement)
 {
-    return part > 0 ? (sph2d__quad){velocity + part * change, part * displacement, 1, 0} : (sph2d__quad){0, 0, 0, 0};
+    return part > 0 ? SPH2D__QUAD(velocity + part * change, part * displacement, 1, 0) : SPH2D__QUAD(0, 0, 0, 0);
 }
 
 static inline void set_faces_of(const sph2d__grid *g, size_t k)
@@ -236,7 +236,7 @@ static inline void close_jets(const sph2d__grid *g)
     for (size_t n = 0; n < g->nozzle_count; ++n) {
         const sph2d__nozzle z = g->nozzles[n];
         if (z.open && z.part > 0.5F && is_liquid(g, z.square))
-            (z.x ? g->face_x : g->face_y)[z.face] = (sph2d__quad){z.speed, 0, 1, 0};
+            (z.x ? g->face_x : g->face_y)[z.face] = SPH2D__QUAD(z.speed, 0, 1, 0);
     }
 }
 
@@ -250,7 +250,7 @@ static inline void close_side(const sph2d__grid *g, int side, int m)
     const size_t k = vertical ? sph2d__at(g, at, m) : sph2d__at(g, m, at);
     const size_t in = side % 2 == 0 ? k : vertical ? k - 1 : k - g->stride;
     if (is_liquid(g, in))
-        (vertical ? g->face_x : g->face_y)[k][SPH2D__KNOWN] = 1;
+        SPH2D__KNOWN((vertical ? g->face_x : g->face_y)[k]) = 1;
 }
 
 /** Pressure beyond a closed face, on the side without liquid, which is square `to`: it turns what flows there into the velocity of the

@@ -86,7 +86,7 @@ __kernel void grid_sum(ARGUMENTS)
     const sph2d__cells *c = &s.fluid_cells;
     if (k >= count)
         return;
-    sph2d__target to = {(int)(k % grid.stride), (int)(k / grid.stride), 0, 0, 0};
+    sph2d__target to = {.column = (int)(k % grid.stride), .row = (int)(k / grid.stride)};
     size_t row, end;
     rows_touching(c, &grid, to.row, to.row + 1, &row, &end);
     const size_t left = column_at(c, &grid, to.column - 2.0), right = column_at(c, &grid, to.column + 0.5);
@@ -247,7 +247,7 @@ __kernel void grid_dot(ARGUMENTS)
 ON_GRID(grid_clear, true, grid.mass[k] = grid.excess[k] = grid.u[k] = grid.v[k] = grid.q[k] = grid.s[k] = 0;
         grid.air_x[k] = grid.air_y[k] = grid.wet_x[k] = grid.wet_y[k] = 0;
         grid.level[0].left[k] = grid.level[0].below[k] = grid.level[0].air[k] = grid.level[0].inverse[k] = 0;
-        grid.face_x[k] = grid.face_y[k] = (sph2d__quad)(0))
+        grid.face_x[k] = grid.face_y[k] = SPH2D__QUAD(0, 0, 0, 0))
 ON_GRID(grid_fold, true,
         sph2d__fold_line(&grid.sums, with.times ? k : k * grid.stride, with.times ? grid.ny : grid.nx,
                          with.times ? grid.stride : 1))

@@ -12,7 +12,7 @@
 /** Bilinear weights of two neighbours, in as many floats each, by the place between them. */
 static inline sph2d__quad weights_of(float part)
 {
-    return (sph2d__quad){1, 1, 0, 0} + part * (sph2d__quad){-1, -1, 1, 1};
+    return SPH2D__QUAD(1, 1, 0, 0) + part * SPH2D__QUAD(-1, -1, 1, 1);
 }
 
 /** Velocity of a particle, and its slopes a square further on: APIC (Jiang, Schroeder, Selle, Teran & Stomakhin, The affine
@@ -24,7 +24,7 @@ typedef struct motion {
 /** A velocity, `value` at the left one of two faces, and its weights: it grows from face to face by `slope`. */
 static inline sph2d__quad faces_of(sph2d__quad weights, float value, float slope)
 {
-    return weights * (sph2d__quad){value, 1, value + slope, 1};
+    return weights * SPH2D__QUAD(value, 1, value + slope, 1);
 }
 
 /** Adds a particle at (x, y), in squares, to those around it that are the target's. */
@@ -36,8 +36,10 @@ static inline void add_particle(sph2d__target *to, float x, float y, const motio
     const float beside = x + 1 - (float)face_i, above = y + 1 - (float)face_j;
     const sph2d__quad across = weights_of(beside), along = weights_of(right);
     const float u = p->u - beside * p->u_x - up * p->u_y, v = p->v - right * p->v_x - above * p->v_y;
-    const sph2d__oct middles = (sph2d__oct){1, 1, 1, 1, 0, 0, 0, 0} + right * (sph2d__oct){-1, -1, -1, -1, 1, 1, 1, 1};
-    const sph2d__oct weighted = middles * (sph2d__oct){m[0], m[1], m[2], m[3], m[0], m[1], m[2], m[3]};
+    const sph2d__oct middles = SPH2D__OCT(1, 1, 1, 1, 0, 0, 0, 0) + right * SPH2D__OCT(-1, -1, -1, -1, 1, 1, 1, 1);
+    const sph2d__oct weighted =
+        middles * SPH2D__OCT(SPH2D__PART(m, 0), SPH2D__PART(m, 1), SPH2D__PART(m, 2), SPH2D__PART(m, 3),
+                             SPH2D__PART(m, 0), SPH2D__PART(m, 1), SPH2D__PART(m, 2), SPH2D__PART(m, 3));
     sph2d__add_left(to, j, face_i, faces_of((1 - up) * across, u, p->u_x));
     sph2d__add_left(to, j + 1, face_i, faces_of(up * across, u + p->u_y, p->u_x));
     sph2d__add_middles(to, j, i, (1 - up) * weighted);
@@ -91,7 +93,7 @@ static inline void add_one(const sph2d__system *s, units unit, size_t i, sph2d__
         (float)f->vx[i], (float)f->vy[i], g->hx * stretch, g->hy * (shear - rotation), g->hx * (shear + rotation),
         -g->hy * stretch};
     add_particle(to, x, y, &p,
-                 (sph2d__quad){1, unit.density * (float)f->density[i] - 1, unit.pressure * (float)f->pressure[i], 0});
+                 SPH2D__QUAD(1, unit.density * (float)f->density[i] - 1, unit.pressure * (float)f->pressure[i], 0));
 }
 
 /* ---- back -------------------------------------------------------------------------------------------------------- */
@@ -113,23 +115,23 @@ static inline reading read_some(const sph2d__grid *g, SPH2D__ARRAY const sph2d__
                                 sph2d__quad mean)
 {
     SPH2D__ARRAY const sph2d__quad *high = low + g->stride;
-    const float known = mean[SPH2D__KNOWN];
+    const float known = SPH2D__KNOWN(mean);
     if (!(known > 0.01F))
         return (reading){0};
     const sph2d__quad one = mean / known;
-    reading r = {.value = one[SPH2D__NEW], .displacement = one[SPH2D__DISPLACEMENT], .known = known};
-    const float is[4] = {low[0][SPH2D__KNOWN], low[1][SPH2D__KNOWN], high[0][SPH2D__KNOWN], high[1][SPH2D__KNOWN]};
+    reading r = {.value = SPH2D__NEW(one), .displacement = SPH2D__DISPLACEMENT(one), .known = known};
+    const float is[4] = {SPH2D__KNOWN(low[0]), SPH2D__KNOWN(low[1]), SPH2D__KNOWN(high[0]), SPH2D__KNOWN(high[1])};
     const float dx[2] = {(1 - b) * is[0] * is[1], b * is[2] * is[3]},
                 dy[2] = {(1 - a) * is[0] * is[2], a * is[1] * is[3]};
     r.has_dx = dx[0] + dx[1] > 0.01F;
     r.has_dy = dy[0] + dy[1] > 0.01F;
     if (r.has_dx)
         r.dx =
-            (dx[0] * (low[1][SPH2D__NEW] - low[0][SPH2D__NEW]) + dx[1] * (high[1][SPH2D__NEW] - high[0][SPH2D__NEW])) /
+            (dx[0] * (SPH2D__NEW(low[1]) - SPH2D__NEW(low[0])) + dx[1] * (SPH2D__NEW(high[1]) - SPH2D__NEW(high[0]))) /
             ((dx[0] + dx[1]) * g->hx);
     if (r.has_dy)
         r.dy =
-            (dy[0] * (high[0][SPH2D__NEW] - low[0][SPH2D__NEW]) + dy[1] * (high[1][SPH2D__NEW] - low[1][SPH2D__NEW])) /
+            (dy[0] * (SPH2D__NEW(high[0]) - SPH2D__NEW(low[0])) + dy[1] * (SPH2D__NEW(high[1]) - SPH2D__NEW(low[1]))) /
             ((dy[0] + dy[1]) * g->hy);
     r.off_x = (a * ((1 - b) * is[1] + b * is[3]) / known - a) * g->hx;
     r.off_y = (b * ((1 - a) * is[2] + a * is[3]) / known - b) * g->hy;
@@ -145,12 +147,12 @@ static inline reading read_at(const sph2d__grid *g, SPH2D__ARRAY const sph2d__qu
     const sph2d__quad below = low[1] - low[0], above = high[1] - high[0];
     const sph2d__quad left = low[0] + a * below, up = high[0] + a * above - left, mean = left + b * up;
     const float unit_x = (float)g->inverse_x, unit_y = (float)g->inverse_y;
-    if ((low[0] * low[1] * high[0] * high[1])[SPH2D__KNOWN] > 0)
-        return (reading){.value = mean[SPH2D__NEW],
-                         .displacement = mean[SPH2D__DISPLACEMENT],
+    if (SPH2D__KNOWN(low[0] * low[1] * high[0] * high[1]) > 0)
+        return (reading){.value = SPH2D__NEW(mean),
+                         .displacement = SPH2D__DISPLACEMENT(mean),
                          .known = 1,
-                         .dx = unit_x * (below + b * (above - below))[SPH2D__NEW],
-                         .dy = unit_y * up[SPH2D__NEW],
+                         .dx = unit_x * SPH2D__NEW(below + b * (above - below)),
+                         .dy = unit_y * SPH2D__NEW(up),
                          .has_dx = true,
                          .has_dy = true};
     return read_some(g, low, a, b, mean);
