@@ -79,8 +79,7 @@ static sph2d_status emit_row(sph2d_sim *sim, size_t index, const emission *n, ui
     const sph2d_source *source = &sim->world.scene.sources[index];
     sph2d__store *fluid = &sim->system.fluid;
     size_t columns = (size_t)n->columns;
-    if (fluid->count + columns > SPH2D__MAX_PARTICLES ||
-        !sph2d__fluid_reserve(&sim->system, fluid->count + columns))
+    if (fluid->count + columns > SPH2D__MAX_PARTICLES || !sph2d__fluid_reserve(&sim->system, fluid->count + columns))
         return SPH2D_NOMEM;
     for (size_t k = 0; k < columns; ++k) {
         double across = ((double)k - (n->columns - 1) / 2) * n->across;

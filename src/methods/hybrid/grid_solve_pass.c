@@ -21,7 +21,7 @@ static bool by_device(const sph2d__grid *g, const char *kernel, size_t count, fl
 /** Runs the statement behind it for the squares k that a step sets. */
 #define FOR_SET(g, k)                                                                                                  \
     for (int j_ = (g)->first; j_ <= (g)->last; ++j_)                                                                   \
-    SPH2D__FOR_SPAN(g, j_, k)
+        SPH2D__FOR_SPAN (g, j_, k)
 
 /** The same from the first liquid square of each row to the last. */
 #define FOR_LIQUID(g, k)                                                                                               \
@@ -39,8 +39,8 @@ static bool by_device(const sph2d__grid *g, const char *kernel, size_t count, fl
 static void take_means(const sph2d__grid *g)
 {
     if (!by_device(g, "grid_means", g->size, 0))
-        FOR_SET(g, k)
-    take_mean(g, k);
+        FOR_SET (g, k)
+            take_mean(g, k);
     if (g->nozzle_count > 0 && !by_device(g, "grid_set_jets", 1, 0))
         set_jets(g);
 }
@@ -64,7 +64,7 @@ static void spread_inwards(const sph2d__grid *g, float *known, uint32_t *left, s
 }
 
 /** Fills what solids hide; of the squares that are cut those count that the step sets. */
-static void fill_cut_squares(sph2d__grid *g)
+static void fill_cut_squares(const sph2d__grid *g)
 {
     float *beside = g->pressure.residual,
           *known = g->s; /* free before the pressure; s is 0 where the step sets nothing */
@@ -102,16 +102,16 @@ static void find_liquid(const sph2d__grid *g)
 static void couple_all(const sph2d__grid *g)
 {
     if (!by_device(g, "grid_couple_faces", g->size, 0))
-        FOR_FACES(g, k)
-    couple_faces(g, k);
+        FOR_FACES (g, k)
+            couple_faces(g, k);
 }
 
 /** Diagonals and right sides. */
 static void set_equations(const sph2d__grid *g)
 {
     if (!by_device(g, "grid_set_equations", g->size, 0))
-        FOR_LIQUID(g, k)
-    set_equation(g, k);
+        FOR_LIQUID (g, k)
+            set_equation(g, k);
     if (g->nozzle_count > 0 && !by_device(g, "grid_feed", 1, 0))
         feed(g);
 }
@@ -121,18 +121,18 @@ static void set_volumes(const sph2d__grid *g)
 {
     if (by_device(g, "grid_set_volumes", g->size, 0))
         return;
-    FOR_SET(g, k)
-    g->s[k] = 0;
-    FOR_LIQUID(g, k)
-    set_volume(g, k);
+    FOR_SET (g, k)
+        g->s[k] = 0;
+    FOR_LIQUID (g, k)
+        set_volume(g, k);
 }
 
 static void set_faces(const sph2d__grid *g)
 {
     const int most = 4 * higher(g->nx, g->ny);
     if (!by_device(g, "grid_set_faces", g->size, 0))
-        FOR_FACES(g, k)
-    set_faces_of(g, k);
+        FOR_FACES (g, k)
+            set_faces_of(g, k);
     if (g->nozzle_count > 0 && !by_device(g, "grid_close_jets", 1, 0))
         close_jets(g);
     if (!by_device(g, "grid_close_sides", (size_t)most, 0))
@@ -143,16 +143,16 @@ static void set_faces(const sph2d__grid *g)
 static void continue_pressure(const sph2d__grid *g)
 {
     if (!by_device(g, "grid_continue", g->size, 0))
-        FOR_SET(g, k)
-    continue_pressure_to(g, k);
+        FOR_SET (g, k)
+            continue_pressure_to(g, k);
 }
 
 /** Adds `factor` times what pressure changes velocities by. */
 static void press(const sph2d__grid *g, float factor)
 {
     if (!by_device(g, "grid_press", g->size, factor))
-        FOR_FACES(g, k)
-    press_faces(g, factor, k);
+        FOR_FACES (g, k)
+            press_faces(g, factor, k);
     sph2d__grid_wrap(g, g->level, g->u);
     sph2d__grid_wrap(g, g->level, g->v);
 }
@@ -164,8 +164,8 @@ static void apply_viscosity(sph2d__grid *g, double viscosity)
     if (!sph2d__grid_is_viscous(g, viscosity))
         return;
     if (!by_device(g, "grid_keep_liquid", g->size, 0))
-        FOR_SET(g, k)
-    g->q[k] = is_liquid(g, k) ? g->q[k] : 0;
+        FOR_SET (g, k)
+            g->q[k] = is_liquid(g, k) ? g->q[k] : 0;
     sph2d__grid_wrap(g, g->level, g->q);
     press(g, 1);
     sph2d__grid_fetch(g, (void *[]){g->u, g->v, g->wet_x, g->wet_y}, 4);
@@ -217,8 +217,8 @@ static void solve(sph2d__grid *g, double viscosity)
     level_right_sides(g);
     g->solver->prepare(g);
     if (!by_device(g, "grid_keep_known", g->size, 0))
-        FOR_SET(g, k)
-    g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
+        FOR_SET (g, k)
+            g->q[k] = l->inverse[k] > 0 ? g->q[k] : 0;
     sph2d__grid_wet_parts(g);
 #pragma omp task if (!g->on_device)
     g->solver->solve(g, &g->volume, g->s, false, VOLUME_ITERATIONS); /* around bodies where they are */

@@ -82,8 +82,8 @@ static size_t last_of(const axis *a, int j)
 static double product(const axis *a, const float *p, const float *q)
 {
     double sum = 0;
-    FOR_UNKNOWN(a, k)
-    sum += (double)(p[k] * q[k]);
+    FOR_UNKNOWN (a, k)
+        sum += (double)(p[k] * q[k]);
     return sum;
 }
 
@@ -96,25 +96,24 @@ static void solve(const axis *a, float *u)
     float *rest = w->residual, *way = w->direction, *image = w->product, *scaled = w->z,
           *diagonal = w->cycle[0].product;
     for (int j = g->first; j <= g->last; ++j)
-        SPH2D__FOR_SPAN(g, j, k)
-    way[k] = scaled[k] = rest[k] = 0;
-    FOR_UNKNOWN(a, k)
-    rest[k] = u[k] - apply(a, u, k, 1, &diagonal[k]);
+        SPH2D__FOR_SPAN (g, j, k)
+            way[k] = scaled[k] = rest[k] = 0;
+    FOR_UNKNOWN (a, k)
+        rest[k] = u[k] - apply(a, u, k, 1, &diagonal[k]);
     const double bound = LEFT * LEFT * product(a, u, u);
     double before = 0;
     for (int n = 0; n < MOST_ITERATIONS && product(a, rest, rest) > bound; ++n) {
-        FOR_UNKNOWN(a, k)
-        scaled[k] = rest[k] / diagonal[k];
+        FOR_UNKNOWN (a, k)
+            scaled[k] = rest[k] / diagonal[k];
         const double now = product(a, rest, scaled);
         const float keep = n > 0 ? (float)(now / before) : 0;
-        FOR_UNKNOWN(a, k)
-        way[k] = scaled[k] + keep * way[k];
+        FOR_UNKNOWN (a, k)
+            way[k] = scaled[k] + keep * way[k];
         sph2d__level_wrap(g, l, way);
-        FOR_UNKNOWN(a, k)
-        image[k] = apply(a, way, k, 0, &diagonal[k]);
+        FOR_UNKNOWN (a, k)
+            image[k] = apply(a, way, k, 0, &diagonal[k]);
         const float part = (float)(now / product(a, way, image));
-        FOR_UNKNOWN(a, k)
-        {
+        FOR_UNKNOWN (a, k) {
             u[k] += part * way[k];
             rest[k] -= part * image[k];
         }

@@ -41,8 +41,8 @@ static void multiply(const sph2d__grid *g, const sph2d__level *l, float *p, floa
     if (by_device(g, "grid_multiply", l, (sph2d__grid_work){.field = {p, out}}))
         return;
     for (int j = 1; j <= l->ny; ++j)
-        FOR_LIQUID(l, j, k)
-    out[k] = product_at(&c, p, k);
+        FOR_LIQUID (l, j, k)
+            out[k] = product_at(&c, p, k);
 }
 
 /** p <- p + w D^-1 (r - A p). */
@@ -53,8 +53,8 @@ static void sweep(const sph2d__grid *g, const sph2d__level *l, float *restrict p
     if (by_device(g, "grid_sweep", l, (sph2d__grid_work){.field = {p, r, product}}))
         return;
     for (int j = 1; j <= l->ny; ++j)
-        FOR_LIQUID(l, j, k)
-    p[k] += DAMPING * inverse[k] * (r[k] - product[k]);
+        FOR_LIQUID (l, j, k)
+            p[k] += DAMPING * inverse[k] * (r[k] - product[k]);
 }
 
 /** Sweeps from zeros, of which the first one is p = w D^-1 r; with all of them in one kernel where a level is small. */
@@ -69,8 +69,8 @@ static void smooth(const sph2d__grid *g, const sph2d__level *l, float *restrict 
     }
     if (!by_device(g, "grid_start", l, with))
         for (int j = 1; j <= l->ny; ++j)
-            FOR_LIQUID(l, j, k)
-    p[k] = DAMPING * l->inverse[k] * r[k];
+            FOR_LIQUID (l, j, k)
+                p[k] = DAMPING * l->inverse[k] * r[k];
     for (int k = 1; k < sweeps; ++k)
         sweep(g, l, p, r, product);
 }
@@ -138,8 +138,8 @@ static void coarsen(const sph2d__level *l, const sph2d__level *c)
         for (int i = lower(c->from[j], c->from[j - 1]); i <= higher(c->to[j], c->to[j - 1]) + 1; ++i)
             couple(l, c, i, j);
     for (int j = 1; j <= c->ny; ++j)
-        FOR_LIQUID(c, j, k)
-    c->inverse[k] = inverse_at(&coarse, k);
+        FOR_LIQUID (c, j, k)
+            c->inverse[k] = inverse_at(&coarse, k);
 }
 
 static void prepare(sph2d__grid *g)
@@ -179,8 +179,8 @@ static void begin(const sph2d__grid *g, const sph2d__level *l, float *restrict r
     if (by_device(g, "grid_rest", l, (sph2d__grid_work){.field = {residual, z}}))
         return;
     for (int j = 1; j <= l->ny; ++j)
-        FOR_LIQUID(l, j, k)
-    residual[k] = l->inverse[k] > 0 ? residual[k] - z[k] : 0;
+        FOR_LIQUID (l, j, k)
+            residual[k] = l->inverse[k] > 0 ? residual[k] - z[k] : 0;
 }
 
 /** The next direction, by the last one times beta after the first iteration. */
@@ -190,8 +190,8 @@ static void direct(const sph2d__grid *g, const sph2d__level *l, float *restrict 
     if (by_device(g, "grid_direct", l, (sph2d__grid_work){.field = {direction, z}, .factor = beta, .times = n}))
         return;
     for (int j = 1; j <= l->ny; ++j)
-        FOR_LIQUID(l, j, k)
-    direction[k] = n > 0 ? z[k] + beta * direction[k] : z[k];
+        FOR_LIQUID (l, j, k)
+            direction[k] = n > 0 ? z[k] + beta * direction[k] : z[k];
 }
 
 static void advance(const sph2d__grid *g, const sph2d__work *w, float *restrict value, float alpha)
@@ -202,8 +202,7 @@ static void advance(const sph2d__grid *g, const sph2d__work *w, float *restrict 
                   (sph2d__grid_work){.field = {value, residual, direction, product}, .factor = alpha}))
         return;
     for (int j = 1; j <= l->ny; ++j)
-        FOR_LIQUID(l, j, k)
-        {
+        FOR_LIQUID (l, j, k) {
             value[k] += alpha * direction[k];
             residual[k] -= alpha * product[k];
         }
