@@ -117,7 +117,7 @@ static sph2d_status step(sph2d_sim *sim, double dt)
         return status;
     sph2d__profile_enter(&s->profile, SPH2D_PHASE_BOOKKEEPING);
     sph2d__host_reads_block(s, s->fluid_cells.start);
-#pragma omp task
+#pragma omp task if (!s->grid->on_device)
     sph2d__grid_find_spans(sim, s->grid);
     const energies before = energies_of(sim);
     const double booked = r->energy_stopped - r->energy_walls;
