@@ -460,6 +460,7 @@ test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, re
 	$(call stage,tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes)
 	$(if $(SANITIZE),,$(call stage,CC='$(CC)' OPENMP='$(OPENMP)' RENDER='$(RENDER)' tests/python/wheel.sh --pypi '$(PYTHONS)' $(BUILD)/wheel-pypi))
 	$(call stage,$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv)
+	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) "$$(nproc)" '' 1000 200))
 	$(if $(GOLDEN),$(call stage,tests/device/faults.sh $(BUILD)/tests/golden $(BUILD)/tests/faulty_opencl.so $(BUILD)/device_faults))
 	$(call stage,$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt)
 	$(if $(WITH_RENDER),$(call stage,$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt))

@@ -642,10 +642,10 @@ START_TEST(the_grid_has_no_divergence_left)
         for (int i = 1; i <= g->nx; ++i) {
             const size_t k = sph2d__at(g, i, j), up = k + g->stride;
             if (g->mass[k] > 0.5F && g->level->air[k] <= 0) {
-                const float right = g->open_x[k + 1] > 0 ? g->face_x[k + 1][SPH2D__NEW] : 0;
-                const float left = g->open_x[k] > 0 ? g->face_x[k][SPH2D__NEW] : 0;
-                const float top = g->open_y[up] > 0 ? g->face_y[up][SPH2D__NEW] : 0;
-                const float low = g->open_y[k] > 0 ? g->face_y[k][SPH2D__NEW] : 0;
+                const float right = g->open_x[k + 1] > 0 ? SPH2D__NEW(g->face_x[k + 1]) : 0;
+                const float left = g->open_x[k] > 0 ? SPH2D__NEW(g->face_x[k]) : 0;
+                const float top = g->open_y[up] > 0 ? SPH2D__NEW(g->face_y[up]) : 0;
+                const float low = g->open_y[k] > 0 ? SPH2D__NEW(g->face_y[k]) : 0;
                 worst = fmax(worst, fabs((double)(right - left + top - low)));
             }
         }

@@ -84,7 +84,7 @@ void sph2d__device_fetch(sph2d__device *device, void *host);
 void sph2d__device_changed(sph2d__device *device, unsigned owners);
 
 /** Before the host gives the memory of a block back, whose place another may take. */
-void sph2d__device_forget(sph2d__device *device, void *block);
+void sph2d__device_forget(sph2d__device *device, void *host);
 
 /** A kernel has changed a block by arguments; or the host one, alone. */
 void sph2d__device_changed_on(sph2d__device *device, void *host);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file device_scene.c
  *  Which scenes devices take. */
+#include "scene/motion.h"
 #include "sph2d/device.h"
 
 static bool is_known(const sph2d_method_options *method)
@@ -15,6 +16,14 @@ static bool any_reflects(const sph2d_scene *scene)
     bool any = scene->walls == SPH2D_WALL_REFLECT;
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         any = any || scene->obstacles[i].form == SPH2D_WALL_REFLECT;
+    return any;
+}
+
+static bool any_moves(const sph2d_scene *scene)
+{
+    bool any = false;
+    for (size_t i = 0; i < scene->obstacle_count; ++i)
+        any = any || sph2d__motion_moves(&scene->obstacles[i].motion);
     return any;
 }
 
@@ -34,6 +43,8 @@ const char *sph2d_device_refuses(const sph2d_scene *scene)
         return "devices know methods muller, wcsph, constraint and hybrid alone";
     if (scene->body_count > 0)
         return "devices do not know bodies";
+    if (scene->method.name == SPH2D_METHOD_HYBRID && any_moves(scene))
+        return "devices do not know obstacles that move in method hybrid";
     if (any_reflects(scene))
         return "devices do not know walls that reflect";
     if (scene->opening_count > 0)

@@ -39,7 +39,7 @@ static bool move_walls(sph2d_sim *sim, double time)
     for (size_t k = 0; k < sim->moving_count; ++k)
         sph2d__moving_place(&sim->moving[k], time, &s->walls, &s->wall_cells.period);
     bool sorted = sph2d__cells_build(&s->wall_cells, &s->walls, s->wall_reach, s->memory);
-    sph2d__host_changed_walls(s);
+    sph2d__host_changed_walls(s, SPH2D__EVERYTHING);
     sph2d__bodies_index(sim, time);
     return sorted;
 }

@@ -186,7 +186,7 @@ static void reverse_all(sph2d_sim *sim)
     else
         reverse(f);
     reverse(&s->walls);
-    sph2d__host_changed_walls(s);
+    sph2d__host_changed_walls(s, SPH2D__BIT(vx) | SPH2D__BIT(vy));
     if (sim->moving_count > 0)
         s->forces.frame.omega = -s->forces.frame.omega;
 }

@@ -232,13 +232,15 @@ void sph2d__host_changed_points(const sph2d__system *s)
         sph2d__device_changed(s->device, SPH2D__OF_POINTS);
 }
 
-void sph2d__host_changed_walls(const sph2d__system *s)
+void sph2d__host_changed_walls(const sph2d__system *s, sph2d__set arrays)
 {
     if (!sph2d__is_on_device(s))
         return;
-    with_arrays(s->device, &s->walls, SPH2D__EVERYTHING, sph2d__device_changed_one);
-    sph2d__device_changed_one(s->device, s->wall_cells.start);
-    sph2d__device_changed_one(s->device, s->wall_spin);
+    with_arrays(s->device, &s->walls, arrays, sph2d__device_changed_one);
+    if (arrays == SPH2D__EVERYTHING) {
+        sph2d__device_changed_one(s->device, s->wall_cells.start);
+        sph2d__device_changed_one(s->device, s->wall_spin);
+    }
 }
 
 void sph2d__host_changed_block(const sph2d__system *s, void *block)

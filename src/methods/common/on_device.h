@@ -94,7 +94,7 @@ void sph2d__host_changed_block(const sph2d__system *system, void *block);
 bool sph2d__fluid_reserve(sph2d__system *system, size_t capacity);
 /** After it has changed the points that attract. */
 void sph2d__host_changed_points(const sph2d__system *system);
-/** After it has changed boundary particles. */
-void sph2d__host_changed_walls(const sph2d__system *system);
+/** After it has changed arrays of boundary particles; all: put them in another order. */
+void sph2d__host_changed_walls(const sph2d__system *system, sph2d__set arrays);
 
 #endif

@@ -67,7 +67,13 @@ SPAN(kick_pass, kick)
 static inline void nothing_after(const sph2d__system *s, double dt, size_t i)
 {
 }
-ADVECT(way_of, nothing_after)
+
+static inline sph2d__way one_way(const sph2d__system *s, double dt, size_t i)
+{
+    const pace p = pace_of(s, dt);
+    return way_of(s, &p, i);
+}
+ADVECT(one_way, nothing_after)
 
 static inline void one_energy(const sph2d__system *s, size_t i, const int *none, sph2d__slab_sum *sum)
 {

@@ -243,23 +243,33 @@ static inline taken take(const sph2d__system *s, size_t i, sph2d_vec2 *velocity)
                    (double)pressure_at(g, x + 0.5F, y + 0.5F)};
 }
 
+/** What a move has the same for all particles: its length [s], bounds [m], the pressure of q. */
+typedef struct pace {
+    double dt, of_order, of_grid, pressing;
+} pace;
+
+static inline pace pace_of(const sph2d__system *s, double dt)
+{
+    return (pace){dt, MOST_OF_ORDER * s->spacing, MOST_OF_GRID * s->spacing, s->rest_density / dt};
+}
+
 /** The displacement of particle i by what it took, with its velocity. Liquid moves by the new velocity: by the mean of both, waves
  *  would grow by (omega dt)^2/4 a step. Spray falls on parabolas. */
-static inline sph2d_vec2 displacement_of(const sph2d__system *s, double dt, size_t i, sph2d_vec2 v, const taken *t)
+static inline sph2d_vec2 displacement_of(const sph2d__system *s, const pace *p, size_t i, sph2d_vec2 v, const taken *t)
 {
     const sph2d__store *f = &s->fluid;
-    const double of_order = MOST_OF_ORDER * s->spacing, of_grid = MOST_OF_GRID * s->spacing;
-    const double middle = dt / 2, outside = 1 - t->inside;
-    f->shift_x[i] = within(of_order, f->shift_x[i]);
-    f->shift_y[i] = within(of_order, f->shift_y[i]);
+    const double middle = p->dt / 2, outside = 1 - t->inside;
+    const sph2d_vec2 shift = {within(p->of_order, f->shift_x[i]), within(p->of_order, f->shift_y[i])};
+    const double ax = t->inside * (v.x * t->u_x + v.y * t->u_y) - outside * f->ax[i];
+    const double ay = t->inside * (v.x * t->v_x + v.y * t->v_y) - outside * f->ay[i];
+    f->shift_x[i] = shift.x;
+    f->shift_y[i] = shift.y;
     f->stretch[i] = (t->u_x - t->v_y) / 2;
     f->shear[i] = (t->u_y + t->v_x) / 2;
     f->rotation[i] = (t->v_x - t->u_y) / 2;
-    f->pressure[i] = s->rest_density / dt * t->q;
-    return (sph2d_vec2){dt * (v.x + middle * (t->inside * (v.x * t->u_x + v.y * t->u_y) - outside * f->ax[i])) +
-                            within(of_grid, t->e_x) + f->shift_x[i],
-                        dt * (v.y + middle * (t->inside * (v.x * t->v_x + v.y * t->v_y) - outside * f->ay[i])) +
-                            within(of_grid, t->e_y) + f->shift_y[i]};
+    f->pressure[i] = p->pressing * t->q;
+    return (sph2d_vec2){p->dt * (v.x + middle * ax) + within(p->of_grid, t->e_x) + shift.x,
+                        p->dt * (v.y + middle * ay) + within(p->of_grid, t->e_y) + shift.y};
 }
 
 /** Within a spacing before the mouth of a source liquid goes at least as fast as its jet, or the next row had no room. */
@@ -275,18 +285,18 @@ static inline void keep_pace(const sph2d__system *s, const sph2d__jet *jet, doub
 }
 
 /** The way of particle i in a step; sets its slopes and its pressure. */
-static inline sph2d__way way_of(const sph2d__system *s, double dt, size_t i)
+static inline sph2d__way way_of(const sph2d__system *s, const pace *p, size_t i)
 {
     const sph2d__store *f = &s->fluid;
     sph2d_vec2 v = {f->vx[i], f->vy[i]};
     const taken t = take(s, i, &v);
-    sph2d_vec2 way = displacement_of(s, dt, i, v, &t);
+    sph2d_vec2 way = displacement_of(s, p, i, v, &t);
     for (size_t k = 0; k < s->grid->jet_count; ++k) {
         const sph2d__jet jet = s->grid->jets[k];
-        keep_pace(s, &jet, dt, i, &way);
+        keep_pace(s, &jet, p->dt, i, &way);
     }
     if (t.inside < 1)
-        stop(&v, f->shift_x[i], f->shift_y[i], 1 - t.inside, dt);
+        stop(&v, f->shift_x[i], f->shift_y[i], 1 - t.inside, p->dt);
     return (sph2d__way){way.x, way.y, v, 0, 0};
 }
 

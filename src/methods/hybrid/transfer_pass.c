@@ -22,8 +22,9 @@ static void sum(const sph2d_sim *sim, int first, int last, double dt)
 
 static void move(sph2d_sim *sim, double dt, sph2d__batch *w)
 {
+    const pace p = pace_of(&sim->system, dt);
     for (size_t k = 0; k < w->count; ++k) {
-        const sph2d__way way = way_of(&sim->system, dt, w->first + k);
+        const sph2d__way way = way_of(&sim->system, &p, w->first + k);
         w->dx[k] = way.dx;
         w->dy[k] = way.dy;
         w->vx[k] = way.v.x;
