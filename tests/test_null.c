@@ -79,6 +79,8 @@ START_TEST(simulations)
     NOTHING(sph2d_shape_corners(NULL, 1, NULL));
     REFUSED("sim", sph2d_sim_step(NULL, &report));
     REFUSED("sim", sph2d_sim_device_status(NULL, &report));
+    ck_assert_str_eq(sph2d_device_refuses(NULL), "there is no scene");
+    ck_assert_uint_eq(sph2d_devices(NULL, 0), sph2d_devices(NULL, 9)); /* also with room for them */
     REFUSED("sim", sph2d_sim_run(NULL, never, NULL, &report));
     REFUSED("go_on", sph2d_sim_run(sim, NULL, NULL, &report));
     REFUSED_SILENTLY(sph2d_sim_set_gravity(NULL, at));
