@@ -231,7 +231,7 @@ static void book_events(sph2d_sim *sim, const sph2d__events *met)
 
 static sph2d_status advect_on_device(sph2d_sim *sim, double dt)
 {
-    const sph2d__events met = sph2d__device_advect(sim, dt);
+    const sph2d__events met = sph2d__device_advect(sim, dt, sph2d__sim_energy_quantum(sim), sph2d__loads_wanted(sim));
     for (uint64_t k = 0; k < met.noted; ++k) {
         const sph2d__contact *c = &sim->contacts[k];
         sph2d__loads_contact(sim, c->wall, c->at, c->change, c->work);

@@ -211,12 +211,12 @@ static void send_drifts(sph2d_sim *sim)
         sph2d__device_changed_one(s->device, sim->drifts);
 }
 
-sph2d__events sph2d__device_advect(sph2d_sim *sim, double dt)
+sph2d__events sph2d__device_advect(sph2d_sim *sim, double dt, double quantum, bool noted)
 {
     const sph2d__system *s = &sim->system;
     send_drifts(sim);
     const sph2d__advection with = {.dt = dt,
-                                   .quantum = sph2d__sim_energy_quantum(sim),
+                                   .quantum = quantum,
                                    .walls = offsets_of(s, &sim->barrier),
                                    .drifts = sph2d__device_offset(s, sim->drifts),
                                    .drift_count = (uint32_t)sim->moving_count,
@@ -224,7 +224,7 @@ sph2d__events sph2d__device_advect(sph2d_sim *sim, double dt)
                                    .contacts = sph2d__device_offset(s, sim->contacts),
                                    .contact_count = sph2d__device_offset(s, sim->contact_count),
                                    .contact_room = sim->contact_room,
-                                   .noted = sph2d__loads_wanted(sim)};
+                                   .noted = noted};
     const sph2d__events *parts = sph2d__device_written_by(s, "advect", &with, sizeof with, sizeof *parts);
     sph2d__events all = {0};
     for (size_t k = 0; parts && k < sph2d__slabs(s->fluid.count); ++k)

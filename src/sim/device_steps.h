@@ -20,9 +20,9 @@ sph2d_status sph2d__device_check(const sph2d_sim *sim, sph2d_report *report);
 /** Sorts the fluid into its cells. False when memory is short. */
 bool sph2d__device_sort(sph2d__system *system);
 
-/** Moves all particles by the method's kernel `advect`. Returns what happened to them; what walls did to `noted` of them is in the
+/** Moves all particles by the method's kernel `advect`. Returns what happened to them; energies are counted in quanta [J/m]. If asked for by `noted`, what walls did to so many of them is in the
  *  simulation's list of contacts. */
-sph2d__events sph2d__device_advect(sph2d_sim *sim, double dt);
+sph2d__events sph2d__device_advect(sph2d_sim *sim, double dt, double quantum, bool noted);
 
 /** The forces of all boundary particles, sph2d__sim_force_of_wall(), at the array `forces` of the simulation. */
 void sph2d__device_wall_forces(const sph2d__system *system, sph2d__wall_force *forces);

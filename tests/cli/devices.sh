@@ -38,14 +38,14 @@ says '--isa'
 expect 64 "$SPH2D" render x -o y --device 1 && says 'not an option of this command'
 
 # Scenes that no device takes: `check` says the same as a run, which leaves nothing.
-for scene in 'method=hybrid' 'walls=reflect' 'fluid.surface_tension=0.1'; do
+for scene in 'method=pcisph' 'walls=reflect' 'fluid.surface_tension=0.1'; do
     for command in check 'run -o refused'; do
         # shellcheck disable=SC2086 # a command with its option
         expect 65 "$SPH2D" $command "$TINY" -s "$scene" --device "$device"
         says 'error\[S111\]: no device takes this scene: devices ' && empty && absent refused
     done
 done
-expect 0 "$SPH2D" check "$TINY" -s method=hybrid --device cpu
+expect 0 "$SPH2D" check "$TINY" -s method=pcisph --device cpu
 
 expect 0 "$SPH2D" check "$TINY" --device "$device" --same-bits && prints "^device  *$device, $name, with the bits of baseline$"
 prints "^time  *about .*; by device $device ($name)$"
@@ -53,7 +53,7 @@ prints 'iB of its memory, which gives .*iB at most$'
 expect 0 "$SPH2D" check "$TINY" --device "$device" --json && prints "\"device\": \"$name\", \"device_memory_bytes\": [1-9]"
 expect 0 "$SPH2D" check "$TINY" --json && prints '"device": "cpu", "device_memory_bytes": 0'
 # of a scene too large for a check
-expect 65 "$SPH2D" check "$TINY" --device "$device" -s spacing=0.0005 -s method=hybrid && says 'no device takes this scene'
+expect 65 "$SPH2D" check "$TINY" --device "$device" -s spacing=0.0005 -s method=pcisph && says 'no device takes this scene'
 
 # The same files as by the processor.
 run() { # FOLDER [OPTION...]
@@ -116,4 +116,4 @@ expect 0 "$SPH2D" study study.yaml -o study -j 1 --device "$device" && says '2 r
 prints ", baseline, by device $device ($name)" && grep -q -- "--device $device" study/study.html
 expect 0 "$SPH2D" study study.yaml -o study -j 1 --isa baseline && ! grep -q 'there already' err
 expect 69 "$SPH2D" study study.yaml --device 1000 && empty
-expect 65 "$SPH2D" study study.yaml --device "$device" -s method=hybrid && says "row 'a': no device takes this scene"
+expect 65 "$SPH2D" study study.yaml --device "$device" -s method=pcisph && says "row 'a': no device takes this scene"

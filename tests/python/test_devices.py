@@ -47,7 +47,7 @@ class Devices(common.InFolder):
             np.testing.assert_array_equal(other.fluid.x, sim.fluid.x)
 
     def test_what_is_refused(self):
-        for scene, options, status in ((raft(method="muller"), {}, "SCENE"), (tank(method="hybrid"), {}, "SCENE"),
+        for scene, options, status in ((raft(method="muller"), {}, "SCENE"), (tank(method="pcisph"), {}, "SCENE"),
                                        (self.scene, {"device": 900}, "INVALID"),
                                        (self.scene, {"isa": "avx2"}, "INVALID")):
             with self.assertRaises(sph2d.Error) as caught:

@@ -109,8 +109,8 @@ class Libraries(common.InFolder):
         folder = self.compile("structs", functions + """
 #include <stddef.h>
 const char *sph2d_version(void) { return "0.1.99"; }
-struct options { size_t size; char rest[40]; };
-struct options sph2d_sim_options_default(void) { struct options o = {48}; return o; }
+struct options { size_t size; char rest[88]; };
+struct options sph2d_sim_options_default(void) { struct options o = {96}; return o; }
 """)
         os.remove("structs/libsph2d-io.so.0")
         names = re.findall(r"(sph2d_\w+)\(", sph2d._FUNCTIONS_TEXT["sph2d-io"])
