@@ -93,9 +93,73 @@ void sph2d__host_changed_points(const sph2d__system *system)
     (void)system;
 }
 
-void sph2d__host_changed_walls(const sph2d__system *system)
+void sph2d__host_changed_walls(const sph2d__system *system, sph2d__set arrays)
 {
     (void)system;
+    (void)arrays;
+}
+
+bool sph2d__fluid_reserve(sph2d__system *system, size_t capacity)
+{
+    return sph2d__store_reserve(&system->fluid, system->memory, capacity);
+}
+
+/* What follows is called for devices alone, where the compiler does not see that. */
+void sph2d__host_changed_block(const sph2d__system *system, void *block)
+{
+    (void)system;
+    (void)block;
+}
+
+void sph2d__place_block(const sph2d__system *system, void *slot, size_t bytes, sph2d__owner owner)
+{
+    (void)system;
+    (void)slot;
+    (void)bytes;
+    (void)owner;
+}
+
+void sph2d__place_store(const sph2d__system *system, sph2d__store *copy, sph2d__owner owner)
+{
+    (void)system;
+    (void)copy;
+    (void)owner;
+}
+
+void sph2d__place_cells(const sph2d__system *system, sph2d__cells *copy, sph2d__owner owner)
+{
+    (void)system;
+    (void)copy;
+    (void)owner;
+}
+
+uint64_t sph2d__device_offset(const sph2d__system *system, const void *array)
+{
+    (void)system;
+    (void)array;
+    return 0;
+}
+
+void sph2d__device_span_with(const sph2d__system *system, const char *kernel, size_t count, const void *with, size_t bytes)
+{
+    (void)system;
+    (void)kernel;
+    (void)count;
+    (void)with;
+    (void)bytes;
+}
+
+const void *sph2d__device_results(sph2d__device *device, const char *kernel, size_t count, const void *arguments,
+                                  size_t bytes, unsigned writes, size_t size)
+{
+    (void)device;
+    (void)kernel;
+    (void)count;
+    (void)arguments;
+    (void)bytes;
+    (void)writes;
+    (void)size;
+    return NULL;
 }
 
 /* ---- threads ----------------------------------------------------------------------------------------------------- */
