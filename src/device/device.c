@@ -484,15 +484,34 @@ static void launch(sph2d__device *d, const char *name, size_t count, const void 
             d->blocks[k].host_old = true;
 }
 
-/** Makes room for results, at least for one; those that wait are taken first. */
+/** Takes what has been read of results that were to come later. */
+static void take_waiting(sph2d__device *d)
+{
+    for (size_t k = 0; k < d->waiting_count; ++k)
+        d->waiting[k].take(d->waiting[k].to, d->host_results + d->waiting[k].at, d->waiting[k].groups);
+    d->waiting_count = d->waiting_bytes = 0;
+}
+
+/** Waits for the first `bytes` of results; zeros after a failure. */
+static void read_results(sph2d__device *d, size_t bytes, const char *doing)
+{
+    if (d->error == CL_SUCCESS && bytes > 0)
+        fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, 0, bytes, d->host_results, 0, NULL, NULL), doing);
+    ++d->use.waits;
+    d->use.fetched += bytes;
+    if (d->error != CL_SUCCESS)
+        memset(d->host_results, 0, bytes);
+}
+
+/** Makes room for results, and for as many as large as they that may wait; those that wait are taken first. */
 static bool reserve_results(sph2d__device *d, size_t bytes)
 {
-    bytes = bytes > LINE ? bytes : LINE;
+    bytes = rounded(bytes > 0 ? bytes : 1);
     if (d->waiting_bytes + bytes <= d->results_bytes)
         return true;
     sph2d__device_settle(d);
     void *host = d->host_results;
-    bytes *= 2;
+    bytes *= MOST_WAITING + 1;
     if (bytes > d->host_results_bytes) {
         if (!sph2d__resize(d->memory, &host, d->host_results_bytes, bytes, 1))
             return false;
@@ -532,12 +551,8 @@ const void *sph2d__device_results(sph2d__device *d, const char *kernel, size_t c
         return NULL;
     unsigned char *to = d->host_results + d->waiting_bytes;
     launch(d, kernel, count, arguments, bytes, writes);
-    if (d->error == CL_SUCCESS && all > 0)
-        fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, d->waiting_bytes, all, to, 0, NULL, NULL), kernel);
-    ++d->use.waits;
-    d->use.fetched += all;
-    if (d->error != CL_SUCCESS)
-        memset(to, 0, all);
+    read_results(d, d->waiting_bytes + all, kernel);
+    take_waiting(d);
     return to;
 }
 
@@ -566,15 +581,6 @@ void sph2d__device_settle(sph2d__device *d)
 {
     if (d->waiting_count == 0)
         return;
-    if (d->error == CL_SUCCESS && d->waiting_bytes > 0)
-        fail(d,
-             d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, 0, d->waiting_bytes, d->host_results, 0, NULL, NULL),
-             "sums");
-    ++d->use.waits;
-    d->use.fetched += d->waiting_bytes;
-    if (d->error != CL_SUCCESS)
-        memset(d->host_results, 0, d->waiting_bytes);
-    for (size_t k = 0; k < d->waiting_count; ++k)
-        d->waiting[k].take(d->waiting[k].to, d->host_results + d->waiting[k].at, d->waiting[k].groups);
-    d->waiting_count = d->waiting_bytes = 0;
+    read_results(d, d->waiting_bytes, "sums");
+    take_waiting(d);
 }

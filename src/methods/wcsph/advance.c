@@ -189,7 +189,7 @@ static void sound(sph2d_sim *sim, double dt)
     sph2d__system *s = &sim->system;
     sph2d__frozen *z = s->frozen;
     const size_t steps = acoustic_steps(s, dt), middle = (steps + 1) / 2; /* when what acts once does */
-    sph2d__slab_sum first, stored, last = {0};
+    sph2d__slab_sum first, stored, kept, last = {0};
     sound_sums sums[SOUND_QUEUE];
     z->dt = dt / (double)steps;
     z->thick = !sph2d__viscous_at_once(s, dt);
@@ -208,6 +208,8 @@ static void sound(sph2d_sim *sim, double dt)
         sound_step(sim, k, steps, middle, &sums[queued++]);
         if (queued < SOUND_QUEUE && k < steps)
             continue;
+        if (k == steps)
+            sph2d__frozen_store_later(s, &kept);
         sph2d__sums_settle(s);
         if (k <= SOUND_QUEUE) {
             sim->record.energy_fed += s->mass * stored.first;
@@ -221,9 +223,7 @@ static void sound(sph2d_sim *sim, double dt)
     }
     sim->record.energy_pressed +=
         s->mass * s->sound_speed * s->sound_speed * z->dt * z->dt / 8 * (first.third - last.third);
-    sph2d__frozen_store_later(s, &stored);
-    sph2d__sums_settle(s);
-    sim->record.energy_pressed -= s->mass * stored.first; /* is not dissipated */
+    sim->record.energy_pressed -= s->mass * kept.first; /* is not dissipated */
 }
 
 /** Finds the particles in reservoirs of openings. What is prescribed is all that is known of them: no sum adds to it. */
