@@ -105,7 +105,7 @@ static double mean_of_rest(double end, double gain, double seen, double left)
 static coarse_run run_coarse(sph2d_sim *sim, double until, double longest)
 {
     const double begun = clock_cpu(), first_step = sph2d_sim_plan(sim)->time_step;
-    double start = (double)sph2d_sim_fluid(sim).count, before = begun, count_time = 0;
+    double start = (double)sph2d_sim_count(sim), before = begun, count_time = 0;
     double first_cost = 0;
     line_fit fit = {0};
     sph2d_report report = {0};
@@ -113,7 +113,7 @@ static coarse_run run_coarse(sph2d_sim *sim, double until, double longest)
     while (status == SPH2D_OK && sph2d_sim_time(sim) < until && before - begun < longest) {
         const double time = sph2d_sim_time(sim);
         status = sph2d_sim_step(sim, &report);
-        const double now = clock_cpu(), n = (double)sph2d_sim_fluid(sim).count;
+        const double now = clock_cpu(), n = (double)sph2d_sim_count(sim);
         fit_add(&fit, n, now - before);
         count_time += n * (sph2d_sim_time(sim) - time);
         before = now;
@@ -124,7 +124,7 @@ static coarse_run run_coarse(sph2d_sim *sim, double until, double longest)
     const double steps = (double)sph2d_sim_steps(sim), time = sph2d_sim_time(sim);
     if (!(steps > 0 && time > 0 && before > begun && fit.n > 0))
         return UNKNOWN;
-    const double end = (double)sph2d_sim_fluid(sim).count, left = fmax(until - time, 0);
+    const double end = (double)sph2d_sim_count(sim), left = fmax(until - time, 0);
     const double mean = (count_time + left * mean_of_rest(end, (end - start) / time, time, left)) / (time + left);
     const double cost = (before - begun) / fit.n;
     coarse_run run = {.steps = steps * first_step / time,

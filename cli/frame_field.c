@@ -19,11 +19,9 @@ sph2d_array frame_field(const particle_source *source, sph2d_group group, const 
         const sph2d_array *array = sph2d_snapshot_array(source->snapshot, group, name);
         return array ? *array : (sph2d_array){0};
     }
-    for (size_t i = 0; i < sph2d_field_count(group); ++i) {
-        sph2d_array array = sph2d_field(source->sim, group, i);
-        if (strcmp(array.name, name) == 0)
-            return array;
-    }
+    for (size_t i = 0; i < sph2d_field_count(group); ++i)
+        if (strcmp(sph2d_field(NULL, group, i).name, name) == 0)
+            return sph2d_field(source->sim, group, i); /* the only one that a device has to hand over */
     return (sph2d_array){0};
 }
 

@@ -76,7 +76,7 @@ static bool follow_step(between *b, const sph2d_sim *sim)
 {
     const double time = sph2d_sim_time(sim), until = sph2d_sim_scene(sim)->run.until;
     const sph2d_status status = write_due(b->outputs, b->result, b->report);
-    const size_t particles = sph2d_sim_fluid(sim).count;
+    const size_t particles = sph2d_sim_count(sim);
     const progress_fact facts[] = {{"time", time, NULL},
                                    {"until", until, NULL},
                                    {"steps", (double)sph2d_sim_steps(sim), NULL},

@@ -61,7 +61,7 @@ static void report_start(const cli_session *s)
 {
     const sph2d_plan *plan = sph2d_sim_plan(s->sim);
     message_note("%s: %zu particles, %zu in walls, from t = %g s to %g s", sph2d_sim_scene(s->sim)->name,
-                 sph2d_sim_fluid(s->sim).count, sph2d_sim_walls(s->sim).count, sph2d_sim_time(s->sim),
+                 sph2d_sim_count(s->sim), sph2d_sim_walls(s->sim).count, sph2d_sim_time(s->sim),
                  sph2d_sim_scene(s->sim)->run.until);
     device_tell(&s->device);
     message_detail("support radius %g m, sound speed %g m/s (%s)", plan->support_radius, plan->sound_speed,

@@ -221,6 +221,33 @@ START_TEST(a_state_goes_on_here_and_there)
 }
 END_TEST
 
+/** What is asked for is fetched, once, and no more. */
+START_TEST(hands_over_what_is_asked_for)
+{
+    sph2d_scene_file *file = read_scene("spacing: 0.05\nmethod: muller\ndomain: {min: [0, 0], max: [1, 3]}\n" BLOCK);
+    sph2d_sim *sim = create(sph2d_scene_file_scene(file), true);
+    test_steps(sim, 3);
+    const sph2d_device_use before = sph2d_sim_device_use(sim);
+    const size_t count = sph2d_sim_count(sim);
+    ck_assert_uint_gt(count, 0);
+    ck_assert_uint_eq(sph2d_sim_device_use(sim).fetched, before.fetched);
+    ck_assert_str_eq(sph2d_field(NULL, SPH2D_GROUP_FLUID, 0).name, "Coordinates");
+    const sph2d_array at = sph2d_field(sim, SPH2D_GROUP_FLUID, 0);
+    const sph2d_device_use placed = sph2d_sim_device_use(sim);
+    ck_assert_uint_ge(placed.fetched - before.fetched, 16 * count);
+    const sph2d_view seen = sph2d_sim_fluid(sim);
+    const sph2d_device_use all = sph2d_sim_device_use(sim);
+    ck_assert_uint_eq(seen.count, count);
+    ck_assert_ptr_eq(seen.x, at.data[0]);
+    ck_assert_uint_ge(all.fetched - placed.fetched, 5 * (placed.fetched - before.fetched) / 2); /* 5 to 7 of 2 */
+    ck_assert_uint_eq(all.waits, placed.waits + 1);
+    (void)sph2d_sim_fluid(sim);
+    ck_assert_uint_eq(sph2d_sim_device_use(sim).fetched, all.fetched);
+    sph2d_sim_destroy(sim);
+    sph2d_scene_file_destroy(file);
+}
+END_TEST
+
 START_TEST(two_at_a_time)
 {
     sph2d_scene_file *file = read_scene(scenes[1]);
@@ -423,6 +450,7 @@ Suite *suite_device(void)
     tcase_add_loop_test(tests, the_bits_are_those_of_baseline, 0, SCENES);
     tcase_add_test(tests, so_are_forces_on_walls);
     tcase_add_test(tests, a_state_goes_on_here_and_there);
+    tcase_add_test(tests, hands_over_what_is_asked_for);
     tcase_add_test(tests, two_at_a_time);
     tcase_add_test(tests, a_state_of_another_instruction_set);
     tcase_add_test(tests, scenes_that_no_device_takes);

@@ -121,6 +121,7 @@ START_TEST(simulations)
     REFUSED("'vy'", sph2d_vorticity(1, one, one, one, NULL, 1, curl, &report));
     REFUSED("'out'", sph2d_vorticity(1, one, one, one, one, 1, NULL, &report));
     REFUSED_SILENTLY(sph2d_vorticity(1, one, one, one, one, 1, NULL, NULL));
+    ck_assert_uint_eq(sph2d_sim_count(NULL), 0);
     ZEROS(sph2d_view, sph2d_sim_fluid(NULL));
     ZEROS(sph2d_view, sph2d_sim_walls(NULL));
     ZEROS(sph2d_state, sph2d_sim_state(NULL));

@@ -104,7 +104,7 @@ void game_fit(game *g, double part)
 {
     static const double most_spacing = 1.5; /* that of the scene: solids have few spacings */
     enum { FEWEST = 1000, MOST = 16384 };
-    const double count = (double)sph2d_sim_fluid(g->live.sim).count, now = g->live.scene.spacing;
+    const double count = (double)sph2d_sim_count(g->live.sim), now = g->live.scene.spacing;
     const double fitting = live_fitting_spacing(&g->live, part);
     if (count < FEWEST || !(fitting > 0)) /* it has not begun: a tap */
         return;
@@ -164,7 +164,7 @@ void game_undo(game *g)
 static void tell_leak(game *g)
 {
     const uint64_t left = live_left(&g->live);
-    const bool leaks = 20 * left > left + sph2d_sim_fluid(g->live.sim).count;
+    const bool leaks = 20 * left > left + sph2d_sim_count(g->live.sim);
     if (leaks && !g->leaks)
         game_tell(g, "liquid leaves through an open side; U undoes, R starts again");
     g->leaks = leaks;

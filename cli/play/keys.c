@@ -138,7 +138,7 @@ static void fit(game *g)
         past_drop(&g->live.past);
     else {
         game_take_scene(g);
-        game_tell(g, "spacing %.3g m: %zu particles", spacing, sph2d_sim_fluid(g->live.sim).count);
+        game_tell(g, "spacing %.3g m: %zu particles", spacing, sph2d_sim_count(g->live.sim));
     }
 }
 

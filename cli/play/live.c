@@ -20,7 +20,7 @@ static const double MOST_BEHIND = 0.1;
 /* Counts the particles that left where their number has changed: a summary looks at all pairs. */
 static void count_left(live *l)
 {
-    const size_t now = sph2d_sim_fluid(l->sim).count;
+    const size_t now = sph2d_sim_count(l->sim);
     if (now == l->counted)
         return;
     const sph2d_summary s = sph2d_sim_summary(l->sim);

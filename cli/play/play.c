@@ -62,7 +62,7 @@ static void tell_end(const loop *p, const game *g)
         snprintf(left, sizeof left, ", %" PRIu64 " left through open sides", live_left(&g->live));
     message_note("played %.3g s: %zu pictures, %.3g a second; simulated %.3g s of the %.3g s due; %zu particles%s",
                  seconds, t->shown, (double)t->shown / fmax(seconds, 1e-9), t->simulated, t->played,
-                 sph2d_sim_fluid(g->live.sim).count, left);
+                 sph2d_sim_count(g->live.sim), left);
 }
 
 static int open_game(game *g, const cli_options *options, const sph2d_sim_options *sim_options)

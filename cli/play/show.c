@@ -28,8 +28,8 @@ static void write_caption(const game *g, double pictures, char *out, size_t size
     else
         snprintf(pace, sizeof pace, "%.2f x the clock", g->rate * l->ratio);
     snprintf(out, size, "%.40s   t = %.2f s   %s   %zu particles%s   %.0f pictures/s   %s%s",
-             g->style.name ? g->style.name : "", sph2d_sim_time(l->sim), pace, sph2d_sim_fluid(l->sim).count, left,
-             pictures, hand_name(g->hand.tool), g->recording[0] ? "   filming" : "");
+             g->style.name ? g->style.name : "", sph2d_sim_time(l->sim), pace, sph2d_sim_count(l->sim), left, pictures,
+             hand_name(g->hand.tool), g->recording[0] ? "   filming" : "");
 }
 
 /* Makes the picture, with a range of colours that only widens. */

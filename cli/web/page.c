@@ -242,7 +242,7 @@ EMSCRIPTEN_KEEPALIVE const double *page_numbers(void)
         return numbers;
     const live *l = &the_game.live;
     const double all[NUMBERS] = {sph2d_sim_time(l->sim),
-                                 (double)sph2d_sim_fluid(l->sim).count,
+                                 (double)sph2d_sim_count(l->sim),
                                  the_turning.pictures,
                                  the_game.rate * l->ratio,
                                  the_turning.stepping,

@@ -147,6 +147,9 @@ typedef struct sph2d_view {
     const uint64_t *id;
 } sph2d_view;
 
+/** The number of particles of the liquid, which sph2d_sim_fluid() has, too: but that fetches all of its arrays from a device. */
+SPH2D_API size_t sph2d_sim_count(const sph2d_sim *sim);
+
 /** The particles of the liquid. */
 SPH2D_API sph2d_view sph2d_sim_fluid(const sph2d_sim *sim);
 

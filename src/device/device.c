@@ -44,6 +44,7 @@ struct sph2d__device {
     size_t arena_bytes, used, results_bytes;
     block blocks[MOST_BLOCKS]; /* by a hash of the address */
     bool grows;                /* the list needs a larger arena */
+    bool asked;                /* blocks are on their way to the host */
     unsigned list;
     bool stale;                  /* the numbers that kernels have name places of before */
     unsigned slot, numbers_slot; /* the last one sent, and that of what all kernels read now */
@@ -328,15 +329,31 @@ static void send_old(sph2d__device *d)
     }
 }
 
-void sph2d__device_fetch(sph2d__device *d, void *host)
+void sph2d__device_ask(sph2d__device *d, void *host)
 {
     block *b = host ? entry_of(d, host) : NULL;
     if (!b || !b->host || b->list != d->list || !b->host_old || d->error != CL_SUCCESS)
         return;
-    fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->arena, 1, b->offset, b->bytes, host, 0, NULL, NULL), "fetching");
-    ++d->use.waits;
+    fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->arena, 0, b->offset, b->bytes, host, 0, NULL, NULL), "fetching");
     d->use.fetched += b->bytes;
+    d->asked = true;
     b->host_old = false;
+}
+
+void sph2d__device_arrive(sph2d__device *d)
+{
+    if (!d->asked)
+        return;
+    if (d->error == CL_SUCCESS)
+        fail(d, d->cl->clFinish(d->queue), "fetching");
+    ++d->use.waits;
+    d->asked = false;
+}
+
+void sph2d__device_fetch(sph2d__device *d, void *host)
+{
+    sph2d__device_ask(d, host);
+    sph2d__device_arrive(d);
 }
 
 void sph2d__device_forget(sph2d__device *d, void *host)

@@ -80,6 +80,9 @@ void sph2d__device_settle(sph2d__device *device);
 
 /** Before the host reads a block: waits until it is there. Of blocks that are in no list nothing is known, and nothing is done. */
 void sph2d__device_fetch(sph2d__device *device, void *host);
+/** The same of several: each is asked for, and then all are waited for. */
+void sph2d__device_ask(sph2d__device *device, void *host);
+void sph2d__device_arrive(sph2d__device *device);
 /** After the host has changed blocks of some owners, which it has fetched before. */
 void sph2d__device_changed(sph2d__device *device, unsigned owners);
 

@@ -34,8 +34,7 @@ static void put_header(sph2d__h5_writer *w, const sph2d_sim *sim)
     double size[3] = {d->max.x - d->min.x, d->max.y - d->min.y, 0};
     double low[2] = {d->min.x, d->min.y}, high[2] = {d->max.x, d->max.y};
     double masses[PARTICLE_TYPES] = {0};
-    uint64_t counts[PARTICLE_TYPES] = {sph2d_sim_fluid(sim).count, sph2d_sim_walls(sim).count},
-             none[PARTICLE_TYPES] = {0};
+    uint64_t counts[PARTICLE_TYPES] = {sph2d_sim_count(sim), sph2d_sim_walls(sim).count}, none[PARTICLE_TYPES] = {0};
     static const int64_t zero = 0, one = 1, two = 2;
 
     hid_t at = sph2d__h5_group(w, SPH2D__GROUP_HEADER);

@@ -119,11 +119,18 @@ static sph2d_view view_of(const sph2d__store *s)
     return (sph2d_view){s->count, s->x, s->y, s->vx, s->vy, s->ax, s->ay, s->density, s->pressure, s->id};
 }
 
+size_t sph2d_sim_count(const sph2d_sim *sim)
+{
+    return sim ? sim->system.fluid.count : 0;
+}
+
 sph2d_view sph2d_sim_fluid(const sph2d_sim *sim)
 {
+    const sph2d__set shown =
+        SPH2D__STORE_BASIC | SPH2D__BIT(ax) | SPH2D__BIT(ay) | SPH2D__BIT(density) | SPH2D__BIT(pressure) | SPH2D__IDS;
     if (!sim)
         return (sph2d_view){0};
-    sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
+    sph2d__host_reads(&sim->system, shown);
     return view_of(&sim->system.fluid);
 }
 

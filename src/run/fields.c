@@ -207,6 +207,13 @@ static void *store_array(const sph2d__store *store, size_t offset)
     return array;
 }
 
+static const void *fetched_array(const sph2d_sim *sim, const sph2d__store *store, size_t offset)
+{
+    void *array = store_array(store, offset);
+    sph2d__host_reads_block(&sim->system, array);
+    return array;
+}
+
 static const sph2d__store *store_of(const sph2d_sim *sim, sph2d_group group)
 {
     return group == SPH2D_GROUP_FLUID ? &sim->system.fluid : &sim->system.walls;
@@ -223,13 +230,11 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
     if (!sim)
         return field;
     const sph2d__system *s = &sim->system;
-    sph2d__host_reads(s, SPH2D__EVERYTHING);
-    sph2d__host_reads_walls(s);
     field.count = store_of(sim, group)->count;
     switch (r->source) {
     case FROM_STORE:
         for (unsigned c = 0; c < r->components; ++c)
-            field.data[c] = store_array(store_of(sim, group), r->offset[c]);
+            field.data[c] = fetched_array(sim, store_of(sim, group), r->offset[c]);
         break;
     case MASS:
         field.stride = group == SPH2D_GROUP_WALL;
@@ -246,7 +251,7 @@ sph2d_array sph2d_field(const sph2d_sim *sim, sph2d_group group, size_t index)
 const uint64_t *sph2d_sim_colors(const sph2d_sim *sim)
 {
     if (sim)
-        sph2d__host_reads(&sim->system, SPH2D__EVERYTHING);
+        sph2d__host_reads(&sim->system, SPH2D__COLORS);
     return sim ? sim->system.fluid.color : NULL;
 }
 

@@ -202,22 +202,24 @@ static void with_arrays(sph2d__device *d, const sph2d__store *t, sph2d__set arra
         work(d, t->name);
     SPH2D__STORE_REALS(WITH)
 #undef WITH
-    if (arrays == SPH2D__EVERYTHING) {
+    if (arrays & SPH2D__IDS)
         work(d, t->id);
+    if (arrays & SPH2D__COLORS)
         work(d, t->color);
-    }
 }
 
 void sph2d__device_fetch_arrays(const sph2d__system *s, sph2d__set arrays)
 {
-    with_arrays(s->device, &s->fluid, arrays, sph2d__device_fetch);
+    with_arrays(s->device, &s->fluid, arrays, sph2d__device_ask);
     if (arrays == SPH2D__EVERYTHING)
-        sph2d__device_fetch(s->device, s->fluid_cells.start);
+        sph2d__device_ask(s->device, s->fluid_cells.start);
+    sph2d__device_arrive(s->device);
 }
 
 void sph2d__device_fetch_walls(const sph2d__system *s)
 {
-    with_arrays(s->device, &s->walls, SPH2D__EVERYTHING, sph2d__device_fetch);
+    with_arrays(s->device, &s->walls, SPH2D__EVERYTHING, sph2d__device_ask);
+    sph2d__device_arrive(s->device);
 }
 
 void sph2d__host_changed(const sph2d__system *s, sph2d__set arrays)

@@ -58,6 +58,11 @@ bool sph2d__device_is_lost(const sph2d__system *system);
 /** Sends the system again, with all blocks where there is room for them. */
 void sph2d__device_rebind(const sph2d__system *system);
 
+/** Those of a store that are no doubles, as part of a set. */
+#define SPH2D__IDS ((sph2d__set)1 << 62)
+#define SPH2D__COLORS ((sph2d__set)1 << 63)
+_Static_assert(SPH2D__STORE_COUNT <= 62, "ids and colours have bits of their own");
+
 /** All arrays, ids, colours and cells, too. */
 #define SPH2D__EVERYTHING (~(sph2d__set)0)
 
