@@ -708,7 +708,7 @@ check-install: all ## install into a scratch folder, build the examples there wi
 	test -z "$$left" || { echo "install: uninstall leaves $$left"; exit 1; }; echo 'install: ok'
 
 C_FILES := $(sort $(CORE_SRC) $(BENCH_SRC) $(VARIANTS_SRC) $(FRAMES_SRC) $(STRANGERS_SRC) $(HARD_SRC) $(GOLDEN_SRC) $(FUZZ_SRC) \
-    $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c tests/ports/core_scenes.c tests/cmake/parts.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
+    $(IO_SRC) $(STUDY_SRC) $(CONTACTS_SRC) tests/faults/library.c tests/device/faulty.c tests/ports/core_scenes.c tests/cmake/parts.c $(CLI_SRC) $(wildcard src/render/*.c tests/*.c examples/*.c))
 ALL_C := $(sort $(C_FILES) $(wildcard include/sph2d/*.h src/*/*.h src/methods/*/*.h cli/*.h cli/study/*.h tests/*.h tests/bench/*.h \
     tests/bench/variants/*.h tests/strangers/*.h tests/faults/*.c tests/cmake/*.c tests/ports/*.[ch] tests/fuzz/*.h tests/hard/cases/*.h))
 LINT_FLAGS = -std=c17 -D_POSIX_C_SOURCE=200809L -DSPH2D__ISA=baseline $(CORE_FLAGS) $(RENDER_FLAGS) $(IO_FLAGS) \
@@ -724,7 +724,7 @@ check-lint: check-walls $(BUILD)/gen/build_info.h $(if $(WITH_RENDER),$(BUILD)/g
 	$(hush)$(call if_installed,cppcheck) cppcheck --quiet --std=c11 --enable=warning,performance,portability \
 	    --inline-suppr --error-exitcode=1 -j "$$(nproc)" -Iinclude -Isrc \
 	    -DSPH2D__ISA=baseline $(filter-out tests/%,$(C_FILES)); fi
-	$(hush)$(call if_installed,clang-tidy) printf '%s\n' $(TIDY) | \
+	$(hush)$(call if_installed,clang-tidy) printf '%s\n' $(filter $(C_FILES),$(TIDY)) | \
 	    xargs -r -P "$$(nproc)" -I{} clang-tidy --quiet {} -- $(LINT_FLAGS) 2>$(BUILD)/clang-tidy.log; fi
 
 # Beside the order above: files, study, contacts and render use base alone, the command only the public headers.

@@ -119,10 +119,10 @@ void sph2d__place_block(const sph2d__system *system, void *slot, size_t bytes, s
     (void)owner;
 }
 
-void sph2d__place_store(const sph2d__system *system, sph2d__store *copy, sph2d__owner owner)
+void sph2d__place_store(const sph2d__system *system, sph2d__store *to, sph2d__owner owner)
 {
     (void)system;
-    (void)copy;
+    (void)to;
     (void)owner;
 }
 

@@ -72,10 +72,12 @@ static int fails(void)
     }
 
 STATUS(clGetPlatformIDs, (cl_uint room, cl_platform_id *to, cl_uint *count), (room, to, count))
-STATUS(clGetPlatformInfo, (cl_platform_id of, cl_uint what, size_t size, void *to, size_t *needed), (of, what, size, to, needed))
+STATUS(clGetPlatformInfo, (cl_platform_id of, cl_uint what, size_t size, void *to, size_t *needed),
+       (of, what, size, to, needed))
 STATUS(clGetDeviceIDs, (cl_platform_id of, cl_bits type, cl_uint room, cl_device_id *to, cl_uint *count),
        (of, type, room, to, count))
-STATUS(clGetDeviceInfo, (cl_device_id of, cl_uint what, size_t size, void *to, size_t *needed), (of, what, size, to, needed))
+STATUS(clGetDeviceInfo, (cl_device_id of, cl_uint what, size_t size, void *to, size_t *needed),
+       (of, what, size, to, needed))
 MADE(cl_context, clCreateContext,
      (const intptr_t *with, cl_uint count, const cl_device_id *of, void *notify, void *user, cl_int *error),
      (with, count, of, notify, user, error))
