@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /** @file opencl.c
  *  Finds OpenCL's library and its devices. */
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -28,23 +29,6 @@ static bool take_functions(sph2d__opencl *cl, void *library)
     return whole;
 }
 
-const sph2d__opencl *sph2d__opencl_find(void)
-{
-    static sph2d__opencl functions;
-    static enum { NOT_TRIED, MISSING, FOUND } state;
-    const sph2d__opencl *found;
-#pragma omp critical(sph2d_opencl)
-    {
-        for (size_t k = 0; state == NOT_TRIED && names[k]; ++k) {
-            void *library = sph2d__library_open(names[k]);
-            state = library && take_functions(&functions, library) ? FOUND : NOT_TRIED;
-        }
-        state = state == FOUND ? FOUND : MISSING;
-        found = state == FOUND ? &functions : NULL;
-    }
-    return found;
-}
-
 cl_device_id sph2d__opencl_device(const sph2d__opencl *cl, size_t k, cl_platform_id *platform)
 {
     cl_platform_id platforms[MOST_PLATFORMS];
@@ -64,6 +48,32 @@ cl_device_id sph2d__opencl_device(const sph2d__opencl *cl, size_t k, cl_platform
         k -= count;
     }
     return NULL;
+}
+
+/** Where the functions are once they are found. The first question makes drivers set themselves up, and not all of them
+ *  take it from two threads at once. */
+static const sph2d__opencl *find(void)
+{
+    static sph2d__opencl functions;
+    static enum { NOT_TRIED, MISSING, FOUND } state;
+    for (size_t k = 0; state == NOT_TRIED && names[k]; ++k) {
+        void *library = sph2d__library_open(names[k]);
+        if (!library || !take_functions(&functions, library))
+            continue;
+        cl_platform_id platform;
+        sph2d__opencl_device(&functions, SIZE_MAX, &platform);
+        state = FOUND;
+    }
+    state = state == FOUND ? FOUND : MISSING;
+    return state == FOUND ? &functions : NULL;
+}
+
+const sph2d__opencl *sph2d__opencl_find(void)
+{
+    const sph2d__opencl *found;
+#pragma omp critical(sph2d_opencl)
+    found = find();
+    return found;
 }
 
 static cl_bits bits_of(const sph2d__opencl *cl, cl_device_id device, cl_uint what)
