@@ -2,6 +2,7 @@
 /** @file test_device.c
  *  Simulations on a device: the bits of the processor's baseline, whatever a program does between steps; what is
  *  refused, and why. They need a device that rounds as the processor does; Debian's pocl-opencl-icd is one. */
+#include <pthread.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -49,6 +50,8 @@ static const char *const scenes[] = {
          "  velocity: [0, -2]}]\nmotion: {angle: 0.1, frequency: 1}\n"
          "gravity_path: [[0, 0, -9.81], [0.1, 1, -9]]\ncentral_force: {center: [0.5, 0.3], rate: 2}\n",
     TANK "blocks: []\nsources: [{at: [0.5, 0.5], speed: 2, width: 0.2}]\n",
+    TANK BLOCK "obstacles: [{box: {min: [0.5, 0.1], max: [0.7, 0.2]}, motion: {rate: 3}}, {box: {min: [0.2, 0.4],\n"
+               "  max: [0.3, 0.5]}, motion: {path: [[0, 0, 0], [1, 0.1, -0.1]]}}]\n",
 };
 enum { SCENES = sizeof scenes / sizeof scenes[0] };
 
@@ -265,6 +268,41 @@ START_TEST(two_at_a_time)
 }
 END_TEST
 
+/* The first that a process asks of drivers comes from several threads at once. */
+enum { THREADS = 4 };
+
+static void *run_of_its_own(void *scene)
+{
+    sph2d_report report = {0};
+    sph2d_sim_options options = sph2d_sim_options_default();
+    options.device = number();
+    sph2d_sim *sim = NULL;
+    sph2d_status status = sph2d_sim_create(scene, &options, &sim, &report);
+    for (int k = 0; k < 5 && status == SPH2D_OK; ++k)
+        status = sph2d_sim_step(sim, &report);
+    return sim;
+}
+
+START_TEST(several_threads_at_once)
+{
+    sph2d_scene_file *file = read_scene(scenes[1]);
+    pthread_t threads[THREADS];
+    void *sims[THREADS];
+    for (int k = 0; k < THREADS; ++k)
+        ck_assert_int_eq(
+            pthread_create(&threads[k], NULL, run_of_its_own, (void *)(uintptr_t)sph2d_scene_file_scene(file)), 0);
+    for (int k = 0; k < THREADS; ++k)
+        ck_assert_int_eq(pthread_join(threads[k], &sims[k]), 0);
+    for (int k = 0; k < THREADS; ++k) {
+        ck_assert_ptr_nonnull(sims[k]);
+        test_same(sims[k], sims[0], "in a thread");
+    }
+    for (int k = 0; k < THREADS; ++k)
+        sph2d_sim_destroy(sims[k]);
+    sph2d_scene_file_destroy(file);
+}
+END_TEST
+
 /** A run by another instruction set goes on as baseline, and says so. */
 START_TEST(a_state_of_another_instruction_set)
 {
@@ -452,6 +490,7 @@ Suite *suite_device(void)
     tcase_add_test(tests, a_state_goes_on_here_and_there);
     tcase_add_test(tests, hands_over_what_is_asked_for);
     tcase_add_test(tests, two_at_a_time);
+    tcase_add_test(tests, several_threads_at_once);
     tcase_add_test(tests, a_state_of_another_instruction_set);
     tcase_add_test(tests, scenes_that_no_device_takes);
     tcase_add_test(tests, options_that_cannot_be);

@@ -240,8 +240,10 @@ void sph2d__host_changed_walls(const sph2d__system *s, sph2d__set arrays)
         return;
     with_arrays(s->device, &s->walls, arrays, sph2d__device_changed_one);
     if (arrays == SPH2D__EVERYTHING) {
-        sph2d__device_changed_one(s->device, s->wall_cells.start);
-        sph2d__device_changed_one(s->device, s->wall_spin);
+        const sph2d__cells *c = &s->wall_cells;
+        void *const parts[] = {c->start, c->places, c->cell, c->order, s->wall_spin};
+        for (size_t k = 0; k < sizeof parts / sizeof *parts; ++k)
+            sph2d__device_changed_one(s->device, parts[k]);
     }
 }
 
