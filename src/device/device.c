@@ -47,7 +47,8 @@ struct sph2d__device {
     bool asked;                /* blocks are on their way to the host */
     unsigned list;
     bool stale;                  /* the numbers that kernels have name places of before */
-    unsigned slot, numbers_slot; /* the last one sent, and that of what all kernels read now */
+    unsigned slot, numbers_slot; /* the last one filled, and that of what all kernels read now */
+    unsigned unread;             /* slots filled since the last wait: the driver may have to read them yet */
     unsigned char (*slots)
         [SLOT]; /* the host's copies, which the driver reads later; the last: what kernels read, as the host has it */
     unsigned char *host_results;
@@ -316,17 +317,47 @@ bool sph2d__device_moved(sph2d__device *d)
     return moves;
 }
 
+/** Waits for all that has been asked of the device. */
+static void wait(sph2d__device *d, const char *doing)
+{
+    if (d->error == CL_SUCCESS)
+        fail(d, d->cl->clFinish(d->queue), doing);
+    ++d->use.waits;
+    d->unread = 0;
+}
+
+/** The next slot but that of what all kernels read, which the driver has read. */
+static unsigned char *next_slot(sph2d__device *d)
+{
+    if (d->unread == SLOTS - 2)
+        wait(d, "waiting");
+    ++d->unread;
+    d->slot = (d->slot + 1) % SLOTS;
+    if (d->slot == d->numbers_slot)
+        d->slot = (d->slot + 1) % SLOTS;
+    return d->slots[d->slot];
+}
+
+/** Sends a block: by way of a slot if it fits, as the host may write it again before the driver has read it. */
+static void send_block(sph2d__device *d, block *b)
+{
+    const void *from = b->host;
+    const bool fits = b->bytes <= SLOT;
+    if (fits)
+        from = memcpy(next_slot(d), b->host, b->bytes);
+    if (d->error == CL_SUCCESS)
+        fail(d, d->cl->clEnqueueWriteBuffer(d->queue, d->arena, !fits, b->offset, b->bytes, from, 0, NULL, NULL),
+             "sending");
+    d->use.waits += !fits;
+    d->use.sent += b->bytes;
+    b->device_old = false;
+}
+
 static void send_old(sph2d__device *d)
 {
-    for (size_t k = 0; k < MOST_BLOCKS; ++k) {
-        block *b = &d->blocks[k];
-        if (b->list != d->list || !b->device_old || d->error != CL_SUCCESS)
-            continue;
-        fail(d, d->cl->clEnqueueWriteBuffer(d->queue, d->arena, 1, b->offset, b->bytes, b->host, 0, NULL, NULL),
-             "sending");
-        d->use.sent += b->bytes;
-        b->device_old = false;
-    }
+    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+        if (d->blocks[k].list == d->list && d->blocks[k].device_old)
+            send_block(d, &d->blocks[k]);
 }
 
 void sph2d__device_ask(sph2d__device *d, void *host)
@@ -344,9 +375,7 @@ void sph2d__device_arrive(sph2d__device *d)
 {
     if (!d->asked)
         return;
-    if (d->error == CL_SUCCESS)
-        fail(d, d->cl->clFinish(d->queue), "fetching");
-    ++d->use.waits;
+    wait(d, "fetching");
     d->asked = false;
 }
 
@@ -421,26 +450,15 @@ static cl_kernel kernel_named(sph2d__device *d, const char *name)
     return kernel;
 }
 
-/** Goes on to the next slot but that of what all kernels read. */
-static void next_slot(sph2d__device *d)
-{
-    do {
-        d->slot = (d->slot + 1) % SLOTS;
-        if (d->slot == 0 && d->error == CL_SUCCESS) /* the driver may not have read all of them yet */
-            fail(d, d->cl->clFinish(d->queue), "waiting");
-    } while (d->slot == d->numbers_slot);
-}
-
 /** Copies numbers to the next slot of the device, before all kernels that come. Returns the slot. */
 static unsigned send_numbers(sph2d__device *d, const void *numbers, size_t bytes)
 {
-    next_slot(d);
-    if (bytes > 0)
-        memcpy(d->slots[d->slot], numbers, bytes);
-    if (d->error == CL_SUCCESS && bytes > 0)
+    if (bytes == 0)
+        return d->slot;
+    const void *from = memcpy(next_slot(d), numbers, bytes);
+    if (d->error == CL_SUCCESS)
         fail(d,
-             d->cl->clEnqueueWriteBuffer(d->queue, d->numbers, 0, (size_t)d->slot * SLOT, bytes, d->slots[d->slot], 0,
-                                         NULL, NULL),
+             d->cl->clEnqueueWriteBuffer(d->queue, d->numbers, 0, (size_t)d->slot * SLOT, bytes, from, 0, NULL, NULL),
              "sending numbers");
     d->use.sent += bytes;
     return d->slot;
@@ -515,20 +533,21 @@ static void read_results(sph2d__device *d, size_t bytes, const char *doing)
     if (d->error == CL_SUCCESS && bytes > 0)
         fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, 0, bytes, d->host_results, 0, NULL, NULL), doing);
     ++d->use.waits;
+    d->unread = 0;
     d->use.fetched += bytes;
     if (d->error != CL_SUCCESS)
         memset(d->host_results, 0, bytes);
 }
 
-/** Makes room for results, and for as many as large as they that may wait; those that wait are taken first. */
+/** Makes room for results behind those that wait; where there is none, they are taken first, and the next ones have twice the room. */
 static bool reserve_results(sph2d__device *d, size_t bytes)
 {
-    bytes = rounded(bytes > 0 ? bytes : 1);
-    if (d->waiting_bytes + bytes <= d->results_bytes)
+    bytes = d->waiting_bytes + rounded(bytes > 0 ? bytes : 1);
+    if (bytes <= d->results_bytes)
         return true;
     sph2d__device_settle(d);
     void *host = d->host_results;
-    bytes *= MOST_WAITING + 1;
+    bytes *= 2;
     if (bytes > d->host_results_bytes) {
         if (!sph2d__resize(d->memory, &host, d->host_results_bytes, bytes, 1))
             return false;
@@ -590,8 +609,7 @@ void sph2d__device_results_later(sph2d__device *d, const char *kernel, size_t co
 
 void sph2d__device_finish(sph2d__device *d)
 {
-    if (d->error == CL_SUCCESS)
-        fail(d, d->cl->clFinish(d->queue), "waiting");
+    wait(d, "waiting");
 }
 
 void sph2d__device_settle(sph2d__device *d)

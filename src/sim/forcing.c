@@ -59,7 +59,8 @@ static void set_forces(sph2d_sim *sim, const sph2d__steering *by, double time)
         sim->points[count++] =
             (sph2d__point_force){by->pointer_x, by->pointer_y, by->pointer_radius, by->pointer_acceleration};
     forces->points = (sph2d__points){sim->points, count};
-    sph2d__host_changed_points(&sim->system);
+    if (count > 0)
+        sph2d__host_changed_points(&sim->system);
     forces->gravity.x = by->gravity_x;
     forces->gravity.y = by->gravity_y;
     forces->frame = sph2d__frame_at(&sim->world.scene, &sim->tank, time);
