@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels that all programs have: cells, advection, sums and guards. */
 /* The sizes of what host and device hand each other, as the device has them. */
-__kernel void layout(ARGUMENTS)
+KERNEL(layout)
 {
     __global ulong *sizes = (__global ulong *)results;
     if (get_global_id(0) > 0)
@@ -16,7 +16,7 @@ __kernel void layout(ARGUMENTS)
 
 /* ---- cells ------------------------------------------------------------------------------------------------------- */
 
-__kernel void bounds(ARGUMENTS)
+KERNEL(bounds)
 {
     __local sph2d__bounds_of parts[SPH2D__SLAB];
     const size_t i = get_global_id(0), l = get_local_id(0);
@@ -33,14 +33,14 @@ __kernel void bounds(ARGUMENTS)
     ((__global sph2d__bounds_of *)results)[get_group_id(0)] = part;
 }
 
-__kernel void empty_cells(ARGUMENTS)
+KERNEL(empty_cells)
 {
     SYSTEM
     if (get_global_id(0) < count)
         s.fluid_cells.places[get_global_id(0)] = 0;
 }
 
-__kernel void count_cells(ARGUMENTS)
+KERNEL(count_cells)
 {
     const size_t i = get_global_id(0);
     SYSTEM
@@ -52,7 +52,7 @@ __kernel void count_cells(ARGUMENTS)
 }
 
 /* Each of SPH2D__SCANNERS threads has a part of the cells: first it counts their particles, ... */
-__kernel void scan_parts(ARGUMENTS)
+KERNEL(scan_parts)
 {
     const size_t k = get_global_id(0);
     SYSTEM
@@ -65,7 +65,7 @@ __kernel void scan_parts(ARGUMENTS)
 }
 
 /* ... then one group adds up these counts, ... */
-__kernel void scan_sums(ARGUMENTS)
+KERNEL(scan_sums)
 {
     __local uint32_t parts[SPH2D__SLAB];
     const size_t l = get_local_id(0), each = SPH2D__SCANNERS / SPH2D__SLAB;
@@ -88,7 +88,7 @@ __kernel void scan_sums(ARGUMENTS)
 }
 
 /* ... and each sets where the particles of its cells begin. */
-__kernel void scan_cells(ARGUMENTS)
+KERNEL(scan_cells)
 {
     const size_t k = get_global_id(0);
     SYSTEM
@@ -105,7 +105,7 @@ __kernel void scan_cells(ARGUMENTS)
         c->start[cells] = (uint32_t)s.fluid.count;
 }
 
-__kernel void fill_cells(ARGUMENTS)
+KERNEL(fill_cells)
 {
     const size_t i = get_global_id(0);
     SYSTEM
@@ -114,7 +114,7 @@ __kernel void fill_cells(ARGUMENTS)
 }
 
 /* Which thread was first is chance: a particle's place in its cell is as many as come before it in the order so far. */
-__kernel void order_cells(ARGUMENTS)
+KERNEL(order_cells)
 {
     const size_t k = get_global_id(0);
     SYSTEM
@@ -130,7 +130,7 @@ __kernel void order_cells(ARGUMENTS)
 }
 
 /* All arrays are of 8 bytes. */
-__kernel void reorder(ARGUMENTS)
+KERNEL(reorder)
 {
     const size_t k = get_global_id(0);
     SYSTEM
@@ -216,7 +216,7 @@ static inline void add_events(__local sph2d__events *parts, __global uchar *to)
 
 /* The kernel `advect`: `set` gives a particle's way, `after` is done to it at its end. */
 #define ADVECT(set, after)                                                                                             \
-    __kernel void advect(ARGUMENTS)                                                                                    \
+    KERNEL(advect)                                                                                    \
     {                                                                                                                  \
         __local sph2d__events parts[SPH2D__SLAB];                                                                      \
         const size_t i = get_global_id(0);                                                                             \
@@ -270,7 +270,7 @@ SPAN(reverse_velocities, reverse_span)
 
 /* ---- guards ------------------------------------------------------------------------------------------------------ */
 
-__kernel void extremes(ARGUMENTS)
+KERNEL(extremes)
 {
     __local sph2d__extremes parts[SPH2D__SLAB];
     const size_t i = get_global_id(0), l = get_local_id(0);

@@ -19,6 +19,9 @@
     __global uchar *arena, __global const uchar *numbers, const ulong system_at, const ulong own_at, const ulong count, \
         __global uchar *results_of_all, const ulong results_at
 
+/* All are run in groups of that many, for which the compiler keeps registers. */
+#define KERNEL(name) __kernel __attribute__((reqd_work_group_size(SPH2D__SLAB, 1, 1))) void name(ARGUMENTS)
+
 /* A kernel's own. */
 #define results (results_of_all + results_at)
 
@@ -65,7 +68,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
 
 /* A function of a span of particles. */
 #define SPAN(name, function)                                                                                           \
-    __kernel void name(ARGUMENTS)                                                                                      \
+    KERNEL(name)                                                                                      \
     {                                                                                                                  \
         const size_t i = get_global_id(0);                                                                             \
         SYSTEM                                                                                                         \
@@ -75,7 +78,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
 
 /* A function of one particle, with arguments of a type. */
 #define WITH(name, type, function)                                                                                     \
-    __kernel void name(ARGUMENTS)                                                                                      \
+    KERNEL(name)                                                                                      \
     {                                                                                                                  \
         const size_t i = get_global_id(0);                                                                             \
         SYSTEM                                                                                                         \
@@ -86,7 +89,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
 
 /* The same of one that adds to the sums of its slab, to each once. They are added in the order of the particles, as the host does it. */
 #define SUM(name, type, function)                                                                                      \
-    __kernel void name(ARGUMENTS)                                                                                      \
+    KERNEL(name)                                                                                      \
     {                                                                                                                  \
         __local sph2d__slab_sum parts[SPH2D__SLAB];                                                                    \
         const size_t i = get_global_id(0);                                                                             \

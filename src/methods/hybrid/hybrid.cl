@@ -84,7 +84,7 @@ SUM(sum_energy, int, one_energy)
 /* ---- to the grid ------------------------------------------------------------------------------------------------- */
 
 /* Adds to a square, its left and its lower face the particles around it, in their order, as a row of the grid gets them. */
-__kernel void grid_sum(ARGUMENTS)
+KERNEL(grid_sum)
 {
     const size_t k = get_global_id(0);
     SYSTEM
@@ -121,7 +121,7 @@ __kernel void grid_sum(ARGUMENTS)
 
 /* A kernel that does something to liquid squares k. */
 #define ON_LIQUID(name, something)                                                                                     \
-    __kernel void name(ARGUMENTS)                                                                                      \
+    KERNEL(name)                                                                                      \
     {                                                                                                                  \
         WORK                                                                                                           \
         if (k < count && is_within(&l, i, j)) {                                                                        \
@@ -141,7 +141,7 @@ ON_LIQUID(grid_restrict, const sph2d__level fine = placed_level(arena, grid_at, 
 ON_LIQUID(grid_prolong, const sph2d__level coarse = placed_level(arena, grid_at, with.level + 1);
           a[k] += l.inverse[k] > 0 ? b[coarse_of(&coarse, i, j)] : 0)
 
-__kernel void grid_coarsen_rows(ARGUMENTS)
+KERNEL(grid_coarsen_rows)
 {
     WORK
     const sph2d__level fine = placed_level(arena, grid_at, with.level - 1);
@@ -149,7 +149,7 @@ __kernel void grid_coarsen_rows(ARGUMENTS)
         coarsen_row(&fine, &l, (int)k);
 }
 
-__kernel void grid_coarsen(ARGUMENTS)
+KERNEL(grid_coarsen)
 {
     WORK
     const sph2d__level fine = placed_level(arena, grid_at, with.level - 1);
@@ -168,7 +168,7 @@ static inline void wrap_one(const sph2d__grid *g, const sph2d__level *l, __globa
         field[k] = field[inside];
 }
 
-__kernel void grid_wrap(ARGUMENTS)
+KERNEL(grid_wrap)
 {
     WORK
     const sph2d__grid grid = *(__global const sph2d__grid *)grid_at;
@@ -177,7 +177,7 @@ __kernel void grid_wrap(ARGUMENTS)
 }
 
 /* All sweeps on a small level, by one group. */
-__kernel void grid_smooth(ARGUMENTS)
+KERNEL(grid_smooth)
 {
     WORK
     const sph2d__grid grid = *(__global const sph2d__grid *)grid_at;
@@ -201,7 +201,7 @@ __kernel void grid_smooth(ARGUMENTS)
 }
 
 /* The products of a row, each thread those of every eighth square. */
-__kernel void grid_dot(ARGUMENTS)
+KERNEL(grid_dot)
 {
     __local float parts[SPH2D__SLAB];
     const size_t row = get_global_id(0) / SIDE_BY_SIDE, n = get_global_id(0) % SIDE_BY_SIDE, l = get_local_id(0);
@@ -240,7 +240,7 @@ __kernel void grid_dot(ARGUMENTS)
 
 /* A kernel that does something to squares, or lines, k that fulfil a condition. */
 #define ON_GRID(name, condition, something)                                                                            \
-    __kernel void name(ARGUMENTS)                                                                                      \
+    KERNEL(name)                                                                                      \
     {                                                                                                                  \
         GRID                                                                                                           \
         if (k < count && (condition)) {                                                                                \
@@ -282,7 +282,7 @@ ON_GRID(grid_look_at_cut, is_set(g, CUT), grid.pressure.residual[CUT] = mean_bes
 ON_GRID(grid_look_beside, IS_INSIDE && grid.s[CUT] < 0, grid.filled[k] = mean_beside(g, grid.s, CUT))
 ON_GRID(grid_fill_cut, is_set(g, CUT), fill_hidden(g, grid.pressure.residual, grid.s, CUT))
 
-__kernel void grid_spread(ARGUMENTS)
+KERNEL(grid_spread)
 {
     __local uint32_t counts[SPH2D__SLAB];
     const size_t k = get_global_id(0), l = get_local_id(0);

@@ -34,7 +34,7 @@ SUM(sum_sides, sph2d__side_load, one_side)
 
 SPH2D__FORCE_OF_WALL(force_of_wall, int, none, wall_force)
 
-__kernel void wall_forces(ARGUMENTS)
+KERNEL(wall_forces)
 {
     const size_t b = get_global_id(0);
     SYSTEM

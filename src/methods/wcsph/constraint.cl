@@ -8,7 +8,7 @@
 
 /* ---- close pairs ------------------------------------------------------------------------------------------------- */
 
-__kernel void count_close(ARGUMENTS)
+KERNEL(count_close)
 {
     __local uint32_t counts[SPH2D__SLAB];
     const size_t i = get_global_id(0);
@@ -19,7 +19,7 @@ __kernel void count_close(ARGUMENTS)
         ((__global uint32_t *)results)[get_group_id(0)] = all;
 }
 
-__kernel void find_close(ARGUMENTS)
+KERNEL(find_close)
 {
     __local uint32_t counts[SPH2D__SLAB];
     const size_t i = get_global_id(0);

@@ -61,7 +61,7 @@ static inline uint32_t places_of(__local uint32_t *counts, uint32_t count, uint3
     return before;
 }
 
-__kernel void count_images(ARGUMENTS)
+KERNEL(count_images)
 {
     __local uint32_t counts[SPH2D__SLAB];
     const size_t i = get_global_id(0);
@@ -73,7 +73,7 @@ __kernel void count_images(ARGUMENTS)
         ((__global uint32_t *)results)[get_group_id(0)] = all;
 }
 
-__kernel void list_images(ARGUMENTS)
+KERNEL(list_images)
 {
     __local uint32_t counts[SPH2D__SLAB];
     const size_t i = get_global_id(0);
@@ -157,7 +157,7 @@ SUM(sum_sides, sph2d__side_load, one_side)
 
 SPH2D__FORCE_OF_WALL(force_of_wall, int, none, mean_wall_force)
 
-__kernel void wall_forces(ARGUMENTS)
+KERNEL(wall_forces)
 {
     const size_t b = get_global_id(0);
     SYSTEM
