@@ -441,7 +441,8 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	$(if $(SANITIZE),,$(call stage,tests/cmake/cmake.sh $(BUILD)/cmake '$(THIS_MAKE)' '$(BUILD)' '$(CC)'))
 	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
-	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) "$$(nproc)"))
+	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) jobs="$$(nproc)" steps=10))
+	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) jobs="$$(nproc)" methods=own steps=1000 scenes='dam_break/scene drop/scene report/realtime'))
 	$(if $(GOLDEN),$(call stage,tests/device/faults.sh $(BUILD)/tests/golden $(BUILD)/tests/faulty_opencl.so $(BUILD)/device_faults 12 6))
 	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
 	$(last_stage)
@@ -454,13 +455,14 @@ TENTH ?= $(shell echo $$(($(FRESH) / 86400 % 10)))
 MOST_LIVE := 45
 test-full: $(BUILD)/tests/bench $(BUILD)/tests/variants $(BUILD)/tests/strangers $(BUILD)/tests/hard_cases $(if $(WITH_RENDER),$(BUILD)/tests/frames)
 test-full: $(BUILD)/tests/core_scenes $(BUILD)/tests/embed
-test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, resumed runs, a tenth of the mutants (40 minutes)
+test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, resumed runs, a tenth of the mutants (an hour)
 	$(first_stage)
 	$(call stage,SPH2D=$(BUILD)/sph2d tests/cli/run-all -j "$$(nproc)" --long)
 	$(call stage,tests/recipes/recipes.sh $(BUILD)/sph2d '$(PYTHONS)' $(BUILD)/recipes)
 	$(if $(SANITIZE),,$(call stage,CC='$(CC)' OPENMP='$(OPENMP)' RENDER='$(RENDER)' tests/python/wheel.sh --pypi '$(PYTHONS)' $(BUILD)/wheel-pypi))
 	$(call stage,$(BUILD)/tests/bench --particles 1000 --steps 5 --runs 1 --csv >$(BUILD)/tests/bench.csv)
-	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) "$$(nproc)" '' 1000 200))
+	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) jobs="$$(nproc)" methods=own steps=1000))
+	$(if $(GOLDEN),$(call stage,tests/device/one_source.sh $(BUILD)))
 	$(if $(GOLDEN),$(call stage,tests/device/faults.sh $(BUILD)/tests/golden $(BUILD)/tests/faulty_opencl.so $(BUILD)/device_faults))
 	$(call stage,$(BUILD)/tests/variants --particles 1000 --rounds 1 >$(BUILD)/tests/variants.txt)
 	$(if $(WITH_RENDER),$(call stage,$(BUILD)/tests/frames 300 1 1 >$(BUILD)/tests/frames.txt))
@@ -559,7 +561,7 @@ test-same-bits: $(BUILD)/tests/golden ## that 1, 2, 3, 5 and 8 threads give the 
 
 DEVICE ?= $(error make test-device DEVICE=N: a number of `sph2d devices`)
 test-device: $(BUILD)/sph2d $(BUILD)/tests/golden ## that a device makes the processor's bits: every example for 1,000 steps; DEVICE=1
-	$(hush)tests/device/bits.sh $(BUILD) 1 $(DEVICE) 1000 1e9
+	$(hush)tests/device/bits.sh $(BUILD) device=$(DEVICE) steps=1000 particles=1e9
 
 test-package: ## the source archive, and its Debian packages built, checked and used in fresh systems (15 minutes, as root)
 	$(hush)tests/package/package.sh --needs
