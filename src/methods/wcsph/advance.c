@@ -189,7 +189,7 @@ static void sound(sph2d_sim *sim, double dt)
     sph2d__system *s = &sim->system;
     sph2d__frozen *z = s->frozen;
     const size_t steps = acoustic_steps(s, dt), middle = (steps + 1) / 2; /* when what acts once does */
-    sph2d__slab_sum first, stored, kept, last = {0};
+    sph2d__slab_sum first, stored, kept = {0}, last = {0};
     sound_sums sums[SOUND_QUEUE];
     z->dt = dt / (double)steps;
     z->thick = !sph2d__viscous_at_once(s, dt);
