@@ -194,7 +194,9 @@ static void extrapolate(checked *c)
     p->support_radius /= k;
     p->time_step /= k;
     p->memory *= k * k;
-    c->device_bytes = k * k * (double)sph2d_sim_device_memory(c->sim);
+    const double on_device = (double)sph2d_sim_device_memory(c->sim),
+                 fixed = fmin(on_device, SPH2D_DEVICE_FIXED_MEMORY);
+    c->device_bytes = fixed + k * k * (on_device - fixed);
     c->steps *= k;
     c->cpu *= k * k * k;
     c->seconds *= k * k * k;

@@ -53,7 +53,10 @@ SPH2D_API const char *sph2d_device_refuses(const sph2d_scene *scene);
 /** What the device of a simulation has done; zeros without one. */
 SPH2D_API sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim);
 
-/** Memory in use on the device of a simulation [bytes]; 0 on the processor. The first step takes most of it. */
+/** Memory that any simulation takes on a device, for the arguments of kernels [bytes]. */
+enum { SPH2D_DEVICE_FIXED_MEMORY = 2 << 20 };
+
+/** Memory in use on the device of a simulation, that in it [bytes]; 0 on the processor. The first step takes most of it. */
 SPH2D_API size_t sph2d_sim_device_memory(const sph2d_sim *sim);
 
 /** Whether the device of a simulation works; SPH2D_OK on the processor, too. What is asked of the particles after a step has to be

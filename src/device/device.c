@@ -84,7 +84,7 @@ static sph2d_status start(sph2d__device *d, const char *program, int kind, sph2d
     if (error == CL_SUCCESS)
         d->queue = d->cl->clCreateCommandQueue(d->context, d->id, 0, &error);
     if (error == CL_SUCCESS)
-        d->numbers = d->cl->clCreateBuffer(d->context, CL_MEM_READ_WRITE, SLOTS * SLOT, NULL, &error);
+        d->numbers = d->cl->clCreateBuffer(d->context, CL_MEM_READ_WRITE, SPH2D_DEVICE_FIXED_MEMORY, NULL, &error);
     if (error != CL_SUCCESS) {
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL, "%s: %s (OpenCL error %d)", d->description.name,
                          sph2d__opencl_error(error), (int)error);
@@ -149,7 +149,7 @@ bool sph2d__device_failed(const sph2d__device *d, const char **why, const char *
 
 size_t sph2d__device_bytes(const sph2d__device *d)
 {
-    return d->arena_bytes + d->results_bytes + SLOTS * SLOT;
+    return d->arena_bytes + d->results_bytes + SPH2D_DEVICE_FIXED_MEMORY;
 }
 
 sph2d_device_use sph2d__device_used(const sph2d__device *d)

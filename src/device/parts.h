@@ -7,7 +7,14 @@
 #include "device/device.h"
 #include "device/opencl_api.h"
 
-enum { MOST_BLOCKS = 1024, MOST_KERNELS = 96, LINE = 64, SLOTS = 64, SLOT = 32768, MOST_WAITING = 64 };
+enum {
+    MOST_BLOCKS = 1024,
+    MOST_KERNELS = 96,
+    LINE = 64,
+    SLOTS = 64,
+    SLOT = SPH2D_DEVICE_FIXED_MEMORY / SLOTS,
+    MOST_WAITING = 64
+};
 
 /** A block that host and device have. */
 typedef struct block {
