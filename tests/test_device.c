@@ -428,6 +428,8 @@ START_TEST(scenes_that_no_device_takes)
         {"method: pcisph\n", "method"},
         {"fluid: {model: herschel_bulkley, consistency: 1, index: 1, yield_stress: 10}\n", "viscosity"},
         {"wall_slip: smooth\nfluid: water\n", "smooth"},
+        {"side_slip: {right: smooth}\nfluid: water\n", "smooth"},
+        {"obstacles: [{box: {min: [0.6, 0.4], max: [0.7, 0.5]}, slip: smooth}]\nfluid: water\n", "smooth"},
         {"method: muller\nbodies: [{circle: {center: [0.5, 0.5], radius: 0.1}, density: 500}]\n", "bodies"},
         {"method: hybrid\nobstacles: [{box: {min: [0.6, 0.4], max: [0.7, 0.5]}, motion: {amplitude: [0.02, 0], "
          "frequency: 2}}]\n",

@@ -2,6 +2,7 @@
 /** @file device_scene.c
  *  Which scenes devices take. */
 #include "scene/motion.h"
+#include "scene/world.h"
 #include "sph2d/device.h"
 
 static bool is_known(const sph2d_method_options *method)
@@ -29,7 +30,9 @@ static bool any_moves(const sph2d_scene *scene)
 
 static bool any_smooth(const sph2d_scene *scene)
 {
-    bool any = false;
+    bool any = scene->wall_slip == SPH2D_SLIP_SMOOTH;
+    for (int side = 0; side < SPH2D__WALL_OBSTACLE; ++side)
+        any = any || sph2d__side_own_slip(scene, side) == SPH2D_WALL_SLIP_SMOOTH;
     for (size_t i = 0; i < scene->obstacle_count; ++i)
         any = any || scene->obstacles[i].slip == SPH2D_WALL_SLIP_SMOOTH;
     return any;
@@ -51,7 +54,7 @@ const char *sph2d_device_refuses(const sph2d_scene *scene)
         return "devices do not know openings";
     if (scene->fluid.model != SPH2D_RHEOLOGY_NEWTONIAN)
         return "devices know liquids with a constant viscosity alone";
-    if (scene->wall_slip == SPH2D_SLIP_SMOOTH || any_smooth(scene))
+    if (any_smooth(scene))
         return "devices do not know smooth walls";
     if (scene->fluid.surface_tension > 0)
         return "devices do not know surface tension";

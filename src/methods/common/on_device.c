@@ -125,6 +125,10 @@ static unsigned writes_of(const char *kernel)
 
 void sph2d__device_span_with(const sph2d__system *s, const char *kernel, size_t count, const void *with, size_t bytes)
 {
+    if (!kernel) {
+        sph2d__device_give_up(s->device, "a part of the step has no kernel, though the scene was taken");
+        return;
+    }
     bind(s);
     sph2d__device_run(s->device, kernel, count, with, bytes, writes_of(kernel));
 }
