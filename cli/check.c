@@ -283,8 +283,17 @@ static void print_device(const checked *c)
              c->device.about.same_bits ? "with the bits of baseline" : "which differs in the last digits");
     text_row("", "%s of its memory, which gives %s at most", text_bytes(bytes, c->device_bytes),
              text_bytes(most, c->device.about.largest));
-    if (c->device_bytes > c->device.about.largest)
-        text_row("", "that is too much: a larger spacing takes less");
+}
+
+static int check_device_memory(const checked *c)
+{
+    char bytes[TEXT_SIZE], most[TEXT_SIZE];
+    if (c->device.number == 0 || c->device_bytes <= c->device.about.largest)
+        return CLI_EXIT_SUCCESS;
+    message_error(SPH2D_CODE_DEVICE, "a larger spacing takes less",
+                  "device %d gives %s at most, and the scene takes about %s", c->device.number,
+                  text_bytes(most, c->device.about.largest), text_bytes(bytes, c->device_bytes));
+    return CLI_EXIT_UNAVAILABLE;
 }
 
 static void print_table(const checked *c)
@@ -414,7 +423,7 @@ static int try_start(checked *c)
         print_object(c);
     else if (!c->options->quiet)
         print_table(c);
-    return code;
+    return check_device_memory(c);
 }
 
 int command_check(const cli_options *options)

@@ -15,7 +15,7 @@
 
 const char device_hint[] =
     "install OpenCL's loader (Debian: ocl-icd-libopencl1) and the driver of the graphics card, or "
-    "pocl-opencl-icd, whose device is the processor";
+    "pocl-opencl-icd, whose device is the processor and which needs a folder to write to, ~/.cache or POCL_CACHE_DIR";
 
 sph2d_device *device_list(size_t *count, bool *short_of_memory)
 {

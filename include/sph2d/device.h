@@ -56,7 +56,8 @@ SPH2D_API sph2d_device_use sph2d_sim_device_use(const sph2d_sim *sim);
 /** Memory that any simulation takes on a device, for the arguments of kernels [bytes]. */
 enum { SPH2D_DEVICE_FIXED_MEMORY = 2 << 20 };
 
-/** Memory in use on the device of a simulation, that in it [bytes]; 0 on the processor. The first step takes most of it. */
+/** Memory in use on the device of a simulation, that in it [bytes]; 0 on the processor. The first step takes most of it. A quarter
+ *  more is reserved while there is room for it. */
 SPH2D_API size_t sph2d_sim_device_memory(const sph2d_sim *sim);
 
 /** Whether the device of a simulation works; SPH2D_OK on the processor, too. What is asked of the particles after a step has to be

@@ -72,8 +72,10 @@ static sph2d_status build(sph2d__device *d, const char *program, int kind, sph2d
     if (error == CL_BUILD_PROGRAM_FAILURE)
         d->cl->clGetProgramBuildInfo(d->program, d->id, CL_PROGRAM_BUILD_LOG, sizeof log - 1, log, NULL);
     log[strcspn(log, "\n")] = '\0';
-    sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL, "%s: %s (OpenCL error %d) %s", d->description.name,
-                     sph2d__opencl_error(error), (int)error, log);
+    sph2d_diagnostic_hint(sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL, "%s: %s (OpenCL error %d) %s",
+                                           d->description.name, sph2d__opencl_error(error), (int)error, log),
+                          "if another machine takes them, see whether the driver can write where it keeps what it "
+                          "compiles: docs/devices.md");
     return SPH2D_DEVICE;
 }
 
@@ -147,9 +149,15 @@ bool sph2d__device_failed(const sph2d__device *d, const char **why, const char *
     return d->error != CL_SUCCESS;
 }
 
+bool sph2d__device_lacks_memory(const sph2d__device *d)
+{
+    return d->error == CL_MEM_OBJECT_ALLOCATION_FAILURE || d->error == CL_OUT_OF_HOST_MEMORY ||
+           d->error == CL_INVALID_BUFFER_SIZE;
+}
+
 size_t sph2d__device_bytes(const sph2d__device *d)
 {
-    return d->arena_bytes + d->results_bytes + SPH2D_DEVICE_FIXED_MEMORY;
+    return d->used + d->results_bytes + SPH2D_DEVICE_FIXED_MEMORY;
 }
 
 sph2d_device_use sph2d__device_used(const sph2d__device *d)

@@ -41,6 +41,8 @@ void sph2d__device_close(sph2d__device *device, sph2d__memory *memory);
 
 /** Why the device does no more work, and what it did when that happened; false: it works. */
 bool sph2d__device_failed(const sph2d__device *device, const char **why, const char **kernel);
+/** Whether that was for want of memory. */
+bool sph2d__device_lacks_memory(const sph2d__device *device);
 
 /** Begins a new list of blocks: when the buffer grows, those that are not placed again are forgotten. */
 void sph2d__device_list(sph2d__device *device);

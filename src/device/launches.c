@@ -141,7 +141,7 @@ void sph2d__device_run(sph2d__device *d, const char *kernel, size_t count, const
     if (reserve_results(d, 0))
         launch(d, kernel, count, arguments, bytes, writes);
     else
-        sph2d__device_fail(d, -6, kernel);
+        sph2d__device_fail(d, CL_OUT_OF_HOST_MEMORY, kernel);
 }
 
 static size_t groups_of(size_t count)
@@ -169,7 +169,7 @@ void sph2d__device_results_later(sph2d__device *d, const char *kernel, size_t co
     if (d->waiting_count == MOST_WAITING)
         sph2d__device_settle(d);
     if (!reserve_results(d, all)) {
-        sph2d__device_fail(d, -6, kernel);
+        sph2d__device_fail(d, CL_OUT_OF_HOST_MEMORY, kernel);
         return;
     }
     launch(d, kernel, count, arguments, bytes, writes);

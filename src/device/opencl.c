@@ -134,18 +134,18 @@ size_t sph2d_devices(sph2d_device *out, size_t room)
 const char *sph2d__opencl_error(cl_int error)
 {
     switch (error) {
-    case -2:
+    case CL_DEVICE_NOT_AVAILABLE:
         return "the device is not available";
-    case -4:
-    case -61:
+    case CL_MEM_OBJECT_ALLOCATION_FAILURE:
+    case CL_INVALID_BUFFER_SIZE:
         return "the device has not enough memory";
-    case -5:
+    case CL_OUT_OF_RESOURCES:
         return "the device is out of resources, or lost";
-    case -6:
+    case CL_OUT_OF_HOST_MEMORY:
         return "its driver has not enough memory";
     case CL_BUILD_PROGRAM_FAILURE:
         return "its compiler does not take the kernels";
-    case -36:
+    case CL_INVALID_COMMAND_QUEUE:
         return "its queue is not valid any more";
     default:
         return "its driver reports an error";

@@ -95,7 +95,10 @@ sph2d_status sph2d__device_check(const sph2d_sim *sim, sph2d_report *report)
     sph2d_diagnostic *e =
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL, "%s: %s (%s, step %llu, time %g s)",
                          sph2d__device_name(d), why, doing, (unsigned long long)sim->record.steps, sim->record.time);
-    sph2d_diagnostic_hint(e, "resume from the last snapshot, on the processor if it happens again");
+    if (sph2d__device_lacks_memory(d))
+        sph2d_diagnostic_hint(e, "a larger spacing takes less");
+    else if (sim->record.steps > 0)
+        sph2d_diagnostic_hint(e, "resume from the last snapshot, on the processor if it happens again");
     return SPH2D_DEVICE;
 }
 

@@ -52,6 +52,9 @@ prints "^time  *about .*; by device $device ($name)$"
 prints 'iB of its memory, which gives .*iB at most$'
 expect 0 "$SPH2D" check "$TINY" --device "$device" --json && prints "\"device\": \"$name\", \"device_memory_bytes\": [1-9]"
 expect 0 "$SPH2D" check "$TINY" --json && prints '"device": "cpu", "device_memory_bytes": 0'
+# More than a block may have, pocl's a quarter of POCL_MEMORY_LIMIT [GB].
+expect 69 env POCL_MEMORY_LIMIT=1 "$SPH2D" check "$TINY" --device "$device" -s method=muller -s spacing=0.0002
+says 'error\[D501\]: device 1 gives 256.0 MiB at most, and the scene takes about .*iB$' && prints 'iB of its memory'
 # of a scene too large for a check
 expect 65 "$SPH2D" check "$TINY" --device "$device" -s spacing=0.0005 -s method=pcisph && says 'no device takes this scene'
 
