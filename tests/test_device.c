@@ -2,6 +2,7 @@
 /** @file test_device.c
  *  Simulations on a device: the bits of the processor's baseline, whatever a program does between steps; what is
  *  refused, and why. They need a device that rounds as the processor does; Debian's pocl-opencl-icd is one. */
+#include <limits.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <string.h>
@@ -322,6 +323,66 @@ START_TEST(a_state_of_another_instruction_set)
 }
 END_TEST
 
+/** More arrays than the list of blocks has room for at first. */
+START_TEST(a_scene_with_many_obstacles)
+{
+    enum { MANY = 220 };
+    static char text[64 * 1024];
+    size_t at = (size_t)snprintf(
+        text, sizeof text,
+        "spacing: 0.05\nmethod: muller\ndomain: {min: [0, 0], max: [1, 30]}\nrun: {until: 1}\n" BLOCK "obstacles:\n");
+    for (int k = 0; k < MANY; ++k) {
+        const double low = 1 + 0.12 * k;
+        at += (size_t)snprintf(
+            text + at, sizeof text - at,
+            "  - {name: o%d, box: {min: [0.4, %.2f], max: [0.5, %.2f]}, motion: {amplitude: [0.02, 0], "
+            "frequency: 2}}\n",
+            k, low, low + 0.05);
+    }
+    sph2d_scene_file *file = read_scene(text);
+    const sph2d_scene *scene = sph2d_scene_file_scene(file);
+    sph2d_sim *here = create(scene, false), *there = create(scene, true);
+    test_steps(here, 3);
+    test_steps(there, 3);
+    test_same(here, there, "many obstacles");
+    sph2d_sim_destroy(here);
+    sph2d_sim_destroy(there);
+    sph2d_scene_file_destroy(file);
+}
+END_TEST
+
+/** Sends the blocks of a list: the kernel's one thread writes where no block is. */
+static void send_list(sph2d__device *device)
+{
+    const uint64_t none = 0;
+    (void)sph2d__device_moved(device);
+    sph2d__device_run(device, "multiply_add", 1, &none, sizeof none, 0);
+}
+
+/** Of a block that was in no list for a while nothing is known: another one may be where it was, of the same size. */
+START_TEST(a_block_in_the_place_of_another)
+{
+    enum { COUNT = 64 };
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    double block[COUNT] = {1}, other[COUNT] = {0};
+    sph2d_status status;
+    sph2d__device *device = sph2d__device_open(number(), "machine", 0, false, &memory, &status, NULL);
+    ck_assert_ptr_nonnull(device);
+    for (int k = 0; k < 4; ++k) {
+        block[0] = k;
+        sph2d__device_list(device);
+        sph2d__device_place(device, other, sizeof other, SPH2D__OF_FLUID);
+        if (k % 3 == 0)
+            sph2d__device_place(device, block, sizeof block, SPH2D__OF_FLUID);
+        send_list(device);
+    }
+    sph2d__device_changed_on(device, block);
+    sph2d__device_fetch(device, block);
+    ck_assert_double_eq(block[0], 3);
+    sph2d__device_close(device, &memory);
+}
+END_TEST
+
 /* ---- a device that fails ----------------------------------------------------------------------------------------- */
 
 /** The run ends, says why and when, and what was known before can still be asked for. */
@@ -402,6 +463,25 @@ START_TEST(each_allocation_fails_once)
             break;
     }
     sph2d_scene_file_destroy(file);
+}
+END_TEST
+
+/** Results for which the host has no room end the device's work: its kernel has not run. */
+START_TEST(room_for_results_is_missing)
+{
+    budget b = {.left = LONG_MAX};
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){take_memory, &b});
+    sph2d_status status;
+    const char *why, *kernel;
+    sph2d__device *device = sph2d__device_open(number(), "muller", 0, false, &memory, &status, NULL);
+    ck_assert_ptr_nonnull(device);
+    ck_assert(!sph2d__device_failed(device, &why, &kernel));
+    b.left = 0;
+    ck_assert_ptr_null(sph2d__device_results(device, "layout", 1, NULL, 0, 0, 1000));
+    ck_assert(sph2d__device_failed(device, &why, &kernel));
+    ck_assert_str_eq(kernel, "layout");
+    sph2d__device_close(device, &memory);
+    ck_assert_uint_eq(b.held, 0);
 }
 END_TEST
 
@@ -494,11 +574,14 @@ Suite *suite_device(void)
     tcase_add_test(tests, two_at_a_time);
     tcase_add_test(tests, several_threads_at_once);
     tcase_add_test(tests, a_state_of_another_instruction_set);
+    tcase_add_test(tests, a_scene_with_many_obstacles);
+    tcase_add_test(tests, a_block_in_the_place_of_another);
     tcase_add_test(tests, scenes_that_no_device_takes);
     tcase_add_test(tests, options_that_cannot_be);
     tcase_add_test(tests, the_list_of_devices);
     tcase_add_test(tests, a_failure_ends_the_run);
     tcase_add_test(tests, each_allocation_fails_once);
+    tcase_add_test(tests, room_for_results_is_missing);
     suite_add_tcase(suite, tests);
     return suite;
 }

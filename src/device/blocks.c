@@ -8,9 +8,9 @@
 /** The entry of a block, or an empty one for it. */
 static block *entry_of(sph2d__device *d, const void *host)
 {
-    size_t k = (size_t)((uintptr_t)host / LINE * 0x9e3779b1u) % MOST_BLOCKS;
+    size_t k = (size_t)((uintptr_t)host / LINE * 0x9e3779b1u) % d->block_room;
     while (d->blocks[k].host && d->blocks[k].host != host)
-        k = (k + 1) % MOST_BLOCKS;
+        k = (k + 1) % d->block_room;
     return &d->blocks[k];
 }
 
@@ -24,16 +24,49 @@ void sph2d__device_list(sph2d__device *d)
     ++d->list;
 }
 
+/** Whether a block is in the list or was in the one before. Of any other the host may have given the memory back, and have something
+ *  else in its place. */
+static bool is_listed(const sph2d__device *d, const block *b)
+{
+    return b->host && b->list + 1 >= d->list;
+}
+
+/** Makes room for one entry more, and leaves out those that are in no list. */
+static bool make_room(sph2d__device *d)
+{
+    size_t listed = 0, old_room = d->block_room;
+    if (2 * (d->known + 1) <= old_room)
+        return true;
+    for (size_t k = 0; k < old_room; ++k)
+        listed += is_listed(d, &d->blocks[k]);
+    const size_t room = 4 * listed > old_room ? 2 * old_room : old_room;
+    block *old = d->blocks, *blocks = sph2d__alloc(d->memory, room, sizeof *blocks);
+    if (!blocks) {
+        sph2d__device_fail(d, CL_OUT_OF_HOST_MEMORY, "a longer list of blocks");
+        return false;
+    }
+    d->blocks = blocks;
+    d->block_room = room;
+    d->known = listed;
+    for (size_t k = 0; k < old_room; ++k)
+        if (is_listed(d, &old[k]))
+            *entry_of(d, old[k].host) = old[k];
+    void *released = old;
+    sph2d__release(d->memory, &released, old_room, sizeof *old);
+    return true;
+}
+
 uint64_t sph2d__device_place(sph2d__device *d, const void *host, size_t bytes, sph2d__owner owner)
 {
-    if (!host || bytes == 0)
+    if (!host || bytes == 0 || !make_room(d))
         return 0;
     block *b = entry_of(d, host);
-    if (!b->host || b->bytes != bytes) {
+    if (!is_listed(d, b) || b->bytes != bytes) {
         const union {
             const void *in;
             void *out;
         } same = {host}; /* the block is the caller's to write, who says so by fetching it */
+        d->known += !b->host;
         *b = (block){.host = same.out, .bytes = bytes, .owner = owner, .device_old = true, .offset = d->used};
         d->used += sph2d__device_rounded(bytes);
         d->grows = d->grows || d->used > d->arena_bytes;
@@ -49,7 +82,7 @@ static void grow(sph2d__device *d)
     cl_mem old = d->arena;
     cl_int error = CL_SUCCESS;
     size_t bytes = LINE; /* offset 0 is no block */
-    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+    for (size_t k = 0; k < d->block_room; ++k)
         if (d->blocks[k].host && d->blocks[k].list == d->list)
             bytes += sph2d__device_rounded(d->blocks[k].bytes) * (d->blocks[k].spare ? 2 : 1);
     d->arena_bytes = bytes + bytes / 4;
@@ -62,23 +95,23 @@ static void grow(sph2d__device *d)
         sph2d__device_fail(
             d, d->cl->clEnqueueFillBuffer(d->queue, d->arena, &zero, sizeof zero, 0, d->arena_bytes, 0, NULL, NULL),
             "zeros");
-    block kept[MOST_BLOCKS];
-    memcpy(kept, d->blocks, sizeof kept);
-    memset(d->blocks, 0, sizeof d->blocks);
     d->used = LINE;
-    for (size_t k = 0; k < MOST_BLOCKS; ++k) {
-        if (kept[k].host == NULL || kept[k].list != d->list)
+    for (size_t k = 0; k < d->block_room; ++k) {
+        block *b = &d->blocks[k];
+        const uint64_t from = b->offset;
+        if (!b->host)
             continue;
-        block *b = entry_of(d, kept[k].host);
-        *b = kept[k];
+        if (b->list != d->list) {
+            *b = (block){.host = b->host};
+            continue;
+        }
         b->offset = d->used;
         d->used += sph2d__device_rounded(b->bytes);
-        b->spare = kept[k].spare ? d->used : 0;
-        d->used += kept[k].spare ? sph2d__device_rounded(b->bytes) : 0;
+        b->spare = b->spare ? d->used : 0;
+        d->used += b->spare ? sph2d__device_rounded(b->bytes) : 0;
         if (old && !b->device_old && d->error == CL_SUCCESS)
             sph2d__device_fail(
-                d,
-                d->cl->clEnqueueCopyBuffer(d->queue, old, d->arena, kept[k].offset, b->offset, b->bytes, 0, NULL, NULL),
+                d, d->cl->clEnqueueCopyBuffer(d->queue, old, d->arena, from, b->offset, b->bytes, 0, NULL, NULL),
                 "a copy");
     }
     if (old && d->error == CL_SUCCESS)
@@ -89,10 +122,7 @@ static void grow(sph2d__device *d)
 
 bool sph2d__device_moved(sph2d__device *d)
 {
-    size_t known = 0;
-    for (size_t k = 0; k < MOST_BLOCKS; ++k)
-        known += d->blocks[k].host != NULL;
-    const bool moves = (d->grows || known > MOST_BLOCKS / 2) && d->error == CL_SUCCESS;
+    const bool moves = d->grows && d->error == CL_SUCCESS;
     if (moves)
         grow(d);
     d->grows = false;
@@ -136,7 +166,7 @@ static void send_block(sph2d__device *d, block *b)
 
 void sph2d__device_send(sph2d__device *d)
 {
-    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+    for (size_t k = 0; k < d->block_room; ++k)
         if (d->blocks[k].list == d->list && d->blocks[k].device_old)
             send_block(d, &d->blocks[k]);
 }
@@ -176,7 +206,7 @@ void sph2d__device_forget(sph2d__device *d, void *host)
 
 void sph2d__device_changed(sph2d__device *d, unsigned owners)
 {
-    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+    for (size_t k = 0; k < d->block_room; ++k)
         if (d->blocks[k].owner & owners)
             d->blocks[k].device_old = true;
 }

@@ -104,7 +104,8 @@ sph2d__device *sph2d__device_open(int number, const char *program, int kind, boo
         return NULL;
     d->memory = memory;
     d->slots = sph2d__alloc(memory, SLOTS + 1, SLOT);
-    if (d->slots)
+    d->blocks = sph2d__alloc(memory, d->block_room = FIRST_ROOM, sizeof *d->blocks);
+    if (d->slots && d->blocks)
         *status = find(d, number, same_bits, report);
     if (*status == SPH2D_OK)
         *status = start(d, program, kind, report);
@@ -130,10 +131,11 @@ void sph2d__device_close(sph2d__device *d, sph2d__memory *memory)
         d->cl->clReleaseCommandQueue(d->queue);
     if (d->context)
         d->cl->clReleaseContext(d->context);
-    void *blocks[] = {d->slots, d->host_results, d};
-    sph2d__release(memory, &blocks[0], d->slots ? SLOTS + 1 : 0, SLOT);
-    sph2d__release(memory, &blocks[1], d->host_results_bytes, 1);
-    sph2d__release(memory, &blocks[2], 1, sizeof *d);
+    void *own[] = {d->slots, d->host_results, d->blocks, d};
+    sph2d__release(memory, &own[0], d->slots ? SLOTS + 1 : 0, SLOT);
+    sph2d__release(memory, &own[1], d->host_results_bytes, 1);
+    sph2d__release(memory, &own[2], d->blocks ? d->block_room : 0, sizeof *d->blocks);
+    sph2d__release(memory, &own[3], 1, sizeof *d);
 }
 
 void sph2d__device_give_up(sph2d__device *d, const char *why)

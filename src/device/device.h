@@ -68,7 +68,7 @@ void sph2d__device_numbers(sph2d__device *device, const void *numbers, size_t by
 void sph2d__device_run(sph2d__device *device, const char *kernel, size_t count, const void *arguments, size_t bytes,
                        unsigned writes);
 /** The same, for kernels with a result of `size` bytes for each group; waits, and returns the results, which are the device's until its
- *  next one, or zeros after a failure. NULL when memory is short. */
+ *  next one, or zeros after a failure. NULL when memory is short, which is one, too. */
 const void *sph2d__device_results(sph2d__device *device, const char *kernel, size_t count, const void *arguments,
                                   size_t bytes, unsigned writes, size_t size);
 

@@ -83,7 +83,7 @@ static void launch(sph2d__device *d, const char *name, size_t count, const void 
         sph2d__device_fail(d, d->cl->clEnqueueNDRangeKernel(d->queue, kernel, 1, NULL, &global, &local, 0, NULL, NULL),
                            name);
     ++d->use.launches;
-    for (size_t k = 0; k < MOST_BLOCKS; ++k)
+    for (size_t k = 0; k < d->block_room; ++k)
         if (d->blocks[k].list == d->list && d->blocks[k].owner & writes)
             d->blocks[k].host_old = true;
 }
@@ -153,8 +153,10 @@ const void *sph2d__device_results(sph2d__device *d, const char *kernel, size_t c
                                   size_t bytes, unsigned writes, size_t size)
 {
     const size_t all = groups_of(count) * size;
-    if (!reserve_results(d, all))
+    if (!reserve_results(d, all)) {
+        sph2d__device_fail(d, CL_OUT_OF_HOST_MEMORY, kernel);
         return NULL;
+    }
     unsigned char *to = d->host_results + d->waiting_bytes;
     launch(d, kernel, count, arguments, bytes, writes);
     read_results(d, d->waiting_bytes + all, kernel);

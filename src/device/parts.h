@@ -8,7 +8,7 @@
 #include "device/opencl_api.h"
 
 enum {
-    MOST_BLOCKS = 1024,
+    FIRST_ROOM = 1024,
     MOST_KERNELS = 96,
     LINE = 64,
     SLOTS = 64,
@@ -46,9 +46,10 @@ struct sph2d__device {
     cl_program program;
     cl_mem arena, numbers, results;
     size_t arena_bytes, used, results_bytes;
-    block blocks[MOST_BLOCKS]; /* by a hash of the address */
-    bool grows;                /* the list needs a larger arena */
-    bool asked;                /* blocks are on their way to the host */
+    block *blocks;            /* by a hash of the address, half of the room empty */
+    size_t block_room, known; /* entries */
+    bool grows;               /* the list needs a larger arena */
+    bool asked;               /* blocks are on their way to the host */
     unsigned list;
     bool stale;                  /* the numbers that kernels have name places of before */
     unsigned slot, numbers_slot; /* the last one filled, and that of what all kernels read now */

@@ -59,10 +59,10 @@ static sph2d_status check_layout(sph2d_sim *sim, sph2d_report *report)
     const uint64_t own[SIZES] = {sizeof(sph2d__system), sizeof(sph2d__advection), sizeof(sph2d__slab_sum),
                                  sizeof(sph2d__limits), sizeof(sph2d__extremes),  sizeof(sph2d__events)};
     const uint64_t *its = sph2d__device_results(sim->system.device, "layout", 1, NULL, 0, 0, sizeof own);
-    if (sph2d__device_check(sim, report) != SPH2D_OK)
-        return SPH2D_DEVICE;
     if (!its)
         return SPH2D_NOMEM;
+    if (sph2d__device_check(sim, report) != SPH2D_OK)
+        return SPH2D_DEVICE;
     if (memcmp(its, own, sizeof own) == 0)
         return SPH2D_OK;
     sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_DEVICE, NULL,
@@ -150,7 +150,9 @@ bool sph2d__device_sort(sph2d__system *s)
     const size_t count = s->fluid.count;
     sph2d__bounds_of bounds = sph2d__no_bounds();
     const sph2d__bounds_of *parts = sph2d__device_read_by(s, "bounds", NULL, 0, sizeof bounds);
-    for (size_t k = 0; parts && k < sph2d__slabs(count); ++k)
+    if (!parts)
+        return false;
+    for (size_t k = 0; k < sph2d__slabs(count); ++k)
         bounds = sph2d__join_bounds(bounds, parts[k]);
     const double around[4] = {bounds.min_x, bounds.min_y, bounds.max_x, bounds.max_y};
     if (!sph2d__cells_lay(&s->fluid_cells, &s->fluid, around, s->reach, SPH2D__SCANNERS, s->memory))
