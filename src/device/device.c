@@ -13,10 +13,12 @@ enum { OPTIONS = 96 };
 
 void sph2d__device_fail(sph2d__device *d, cl_int error, const char *doing)
 {
-    if (error != CL_SUCCESS && d->error == CL_SUCCESS) {
-        d->error = error;
-        d->doing = doing;
-    }
+    if (error == CL_SUCCESS || d->error != CL_SUCCESS)
+        return;
+    d->error = error;
+    d->doing = doing;
+    if (d->queue) /* what came before may still read and write the host's memory */
+        d->cl->clFinish(d->queue);
 }
 
 static sph2d_status refuse(sph2d_report *report, const char *hint, const char *format, const char *name)
@@ -119,6 +121,8 @@ void sph2d__device_close(sph2d__device *d, sph2d__memory *memory)
 {
     if (!d)
         return;
+    if (d->queue) /* kernels may still be at work, on numbers of the host */
+        d->cl->clFinish(d->queue);
     for (size_t k = 0; k < d->launcher_count; ++k)
         d->cl->clReleaseKernel(d->launchers[k].kernel);
     const cl_mem buffers[] = {d->arena, d->numbers, d->results};
