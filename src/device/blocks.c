@@ -171,15 +171,20 @@ void sph2d__device_send(sph2d__device *d)
             send_block(d, &d->blocks[k]);
 }
 
+static void ask(sph2d__device *d, const block *b, size_t bytes)
+{
+    sph2d__device_fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->arena, 0, b->offset, bytes, b->host, 0, NULL, NULL),
+                       "fetching");
+    d->use.fetched += bytes;
+    d->asked = true;
+}
+
 void sph2d__device_ask(sph2d__device *d, void *host)
 {
     block *b = host ? entry_of(d, host) : NULL;
     if (!b || !b->host || b->list != d->list || !b->host_old || d->error != CL_SUCCESS)
         return;
-    sph2d__device_fail(d, d->cl->clEnqueueReadBuffer(d->queue, d->arena, 0, b->offset, b->bytes, host, 0, NULL, NULL),
-                       "fetching");
-    d->use.fetched += b->bytes;
-    d->asked = true;
+    ask(d, b, b->bytes);
     b->host_old = false;
 }
 
@@ -194,6 +199,14 @@ void sph2d__device_arrive(sph2d__device *d)
 void sph2d__device_fetch(sph2d__device *d, void *host)
 {
     sph2d__device_ask(d, host);
+    sph2d__device_arrive(d);
+}
+
+void sph2d__device_fetch_first(sph2d__device *d, void *host, size_t bytes)
+{
+    const block *b = entry_of(d, host);
+    if (b->list == d->list && bytes > 0 && d->error == CL_SUCCESS)
+        ask(d, b, bytes < b->bytes ? bytes : b->bytes);
     sph2d__device_arrive(d);
 }
 

@@ -32,6 +32,8 @@ typedef enum sph2d__owner {
 
 /** Particles that a group of threads works on together, whose sums are one: methods/common/slab.h. */
 enum { SPH2D__DEVICE_GROUP = 256 };
+/** The most numbers that kernels can be run with [bytes]. */
+enum { SPH2D__DEVICE_NUMBERS = 32768 };
 
 /** Opens device `number`, from 1 on, with the kernels of a program (the name of a file *.cl without its end), in which KIND is `kind`. `same_bits`: only if
  *  it makes the same bits. NULL with the reason in the report; SPH2D_NOMEM in *status when memory is short. */
@@ -85,6 +87,8 @@ void sph2d__device_fetch(sph2d__device *device, void *host);
 /** The same of several: each is asked for, and then all are waited for. */
 void sph2d__device_ask(sph2d__device *device, void *host);
 void sph2d__device_arrive(sph2d__device *device);
+/** The first bytes of a block, of which the host needs no others until a kernel has written it anew. */
+void sph2d__device_fetch_first(sph2d__device *device, void *host, size_t bytes);
 /** After the host has changed blocks of some owners, which it has fetched before. */
 void sph2d__device_changed(sph2d__device *device, unsigned owners);
 

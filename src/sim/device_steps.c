@@ -55,9 +55,9 @@ static sph2d_status lend(sph2d_sim *sim)
 /** Whether the device lays out structs as the host does. */
 static sph2d_status check_layout(sph2d_sim *sim, sph2d_report *report)
 {
-    enum { SIZES = 6 };
-    const uint64_t own[SIZES] = {sizeof(sph2d__system), sizeof(sph2d__advection), sizeof(sph2d__slab_sum),
-                                 sizeof(sph2d__limits), sizeof(sph2d__extremes),  sizeof(sph2d__events)};
+    const uint64_t own[] = {sizeof(sph2d__system),  sizeof(sph2d__advection), sizeof(sph2d__slab_sum),
+                            sizeof(sph2d__limits),  sizeof(sph2d__extremes),  sizeof(sph2d__events),
+                            sizeof(sph2d__contact), sizeof(sph2d__drift),     sizeof(sph2d__reordered)};
     const uint64_t *its = sph2d__device_results(sim->system.device, "layout", 1, NULL, 0, 0, sizeof own);
     if (!its)
         return SPH2D_NOMEM;
@@ -174,8 +174,7 @@ bool sph2d__device_sort(sph2d__system *s)
 static void fetch_contacts(sph2d_sim *sim, uint64_t count)
 {
     sph2d__device *d = sim->system.device;
-    sph2d__device_changed_on(d, sim->contacts);
-    sph2d__device_fetch(d, sim->contacts);
+    sph2d__device_fetch_first(d, sim->contacts, count * sizeof *sim->contacts);
     if (count > sim->contact_room)
         sph2d__device_give_up(d, "more particles met walls in one step than its list holds");
     *sim->contact_count = 0;

@@ -12,6 +12,9 @@ KERNEL(layout)
     sizes[3] = sizeof(sph2d__limits);
     sizes[4] = sizeof(sph2d__extremes);
     sizes[5] = sizeof(sph2d__events);
+    sizes[6] = sizeof(sph2d__contact);
+    sizes[7] = sizeof(sph2d__drift);
+    sizes[8] = sizeof(sph2d__reordered);
 }
 
 /* ---- cells ------------------------------------------------------------------------------------------------------- */

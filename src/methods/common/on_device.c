@@ -50,6 +50,7 @@ typedef struct handed {
     sph2d__system system;
     unsigned char extra[SPH2D__MOST_EXTRA];
 } handed;
+_Static_assert(sizeof(handed) <= SPH2D__DEVICE_NUMBERS, "kernels get this as numbers");
 
 static void place_all(const sph2d__system *s, handed *to)
 {
