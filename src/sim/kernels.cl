@@ -219,7 +219,7 @@ static inline void add_events(__local sph2d__events *parts, __global uchar *to)
 
 /* The kernel `advect`: `set` gives a particle's way, `after` is done to it at its end. */
 #define ADVECT(set, after)                                                                                             \
-    KERNEL(advect)                                                                                    \
+    KERNEL(advect)                                                                                                     \
     {                                                                                                                  \
         __local sph2d__events parts[SPH2D__SLAB];                                                                      \
         const size_t i = get_global_id(0);                                                                             \

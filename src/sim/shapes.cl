@@ -68,7 +68,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
 
 /* A function of a span of particles. */
 #define SPAN(name, function)                                                                                           \
-    KERNEL(name)                                                                                      \
+    KERNEL(name)                                                                                                       \
     {                                                                                                                  \
         const size_t i = get_global_id(0);                                                                             \
         SYSTEM                                                                                                         \
@@ -78,7 +78,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
 
 /* A function of one particle, with arguments of a type. */
 #define WITH(name, type, function)                                                                                     \
-    KERNEL(name)                                                                                      \
+    KERNEL(name)                                                                                                       \
     {                                                                                                                  \
         const size_t i = get_global_id(0);                                                                             \
         SYSTEM                                                                                                         \
@@ -89,7 +89,7 @@ static inline sph2d__system placed(__global uchar *arena, __global const uchar *
 
 /* The same of one that adds to the sums of its slab, to each once. They are added in the order of the particles, as the host does it. */
 #define SUM(name, type, function)                                                                                      \
-    KERNEL(name)                                                                                      \
+    KERNEL(name)                                                                                                       \
     {                                                                                                                  \
         __local sph2d__slab_sum parts[SPH2D__SLAB];                                                                    \
         const size_t i = get_global_id(0);                                                                             \

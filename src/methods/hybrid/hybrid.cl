@@ -121,7 +121,7 @@ KERNEL(grid_sum)
 
 /* A kernel that does something to liquid squares k. */
 #define ON_LIQUID(name, something)                                                                                     \
-    KERNEL(name)                                                                                      \
+    KERNEL(name)                                                                                                       \
     {                                                                                                                  \
         WORK                                                                                                           \
         if (k < count && is_within(&l, i, j)) {                                                                        \
@@ -240,7 +240,7 @@ KERNEL(grid_dot)
 
 /* A kernel that does something to squares, or lines, k that fulfil a condition. */
 #define ON_GRID(name, condition, something)                                                                            \
-    KERNEL(name)                                                                                      \
+    KERNEL(name)                                                                                                       \
     {                                                                                                                  \
         GRID                                                                                                           \
         if (k < count && (condition)) {                                                                                \
