@@ -719,7 +719,7 @@ class Particles:
             setattr(self, name, arrays.get(name))
 
     def __len__(self) -> int:
-        return len(self.x)
+        return 0 if self.x is None else len(self.x)
 
     def __repr__(self) -> str:
         return f"<sph2d.Particles: {len(self)}>"
@@ -992,7 +992,8 @@ class Simulation(_Pictured, _Owner):
             library = _load_optional("sph2d-contacts", "INVALID", what)
             library.sph2d_contacts_attach(self._sim)
         self._rows = [[] for _ in self._keys["probes"]]
-        self._record()
+        if state is None:  # what goes on has them
+            self._record()
 
     # -- its life
 

@@ -34,6 +34,11 @@ def as_one(sim):
     return [None if array is None else array.tobytes() for array in arrays] + [sim.summary(), sim.time_step]
 
 
+def often():
+    """A tank with a probe that is due more often than there are steps."""
+    return {**tank(), "probes": [{"name": "often", "kind": "energy", "every": 1e-5}]}
+
+
 class Labelled(sph2d.Simulation):
     """A class of a program."""
 
@@ -42,6 +47,23 @@ class Copies(common.InFolder):
     def setUp(self):
         super().setUp()
         common.ignore_warnings(self)
+
+    def test_copies_take_no_row_twice(self):
+        sim = sph2d.Simulation(often(), threads=1)
+        for _ in range(3):
+            sim.step()
+        sim.write_snapshot("a.h5")
+        others = [function(sim) for function in WAYS.values()] + [sph2d.Snapshot("a.h5").resume()]
+        for other in (sim, *others):
+            other.step()
+            other.write_snapshot("b.h5")
+            counts = sph2d.Snapshot("b.h5").field("OutputCounts", "run")
+            self.assertEqual(counts.tolist(), [0, 0, 5])
+        self.assertEqual([len(other.series("often")["time [s]"]) for other in (sim, *others)], [5, 5, 5, 5, 1])
+
+    def test_walls_without_particles(self):
+        scene = {**tank(), "method": "muller"}
+        self.assertEqual(len(sph2d.Simulation(scene, threads=1).walls), 0)
 
     def make(self, name):
         sim = sph2d.Simulation(tank(), threads=1)
