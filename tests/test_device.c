@@ -383,6 +383,37 @@ START_TEST(a_block_in_the_place_of_another)
 }
 END_TEST
 
+/** Small blocks and arguments are sent when the device comes to them, though the host goes on; results of no particles are no
+ *  reason to think that it has come so far. */
+START_TEST(what_is_sent_stays_as_it_was)
+{
+    enum { BLOCKS = 200, ROOM = 8 };
+    sph2d__memory memory = sph2d__memory_from((sph2d_allocator){NULL, NULL});
+    static double blocks[BLOCKS][ROOM];
+    const uint64_t none = 0;
+    sph2d_status status;
+    sph2d__device *device = sph2d__device_open(number(), "machine", 0, false, &memory, &status, NULL);
+    ck_assert_ptr_nonnull(device);
+    sph2d__device_list(device);
+    for (int k = 0; k < BLOCKS; ++k)
+        sph2d__device_place(device, blocks[k], sizeof blocks[k], SPH2D__OF_FLUID);
+    send_list(device);
+    for (int k = 0; k < BLOCKS; ++k) {
+        blocks[k][0] = k + 1;
+        sph2d__device_changed_one(device, blocks[k]);
+        sph2d__device_run(device, "multiply_add", 1, &none, sizeof none, 0);
+        ck_assert_ptr_nonnull(sph2d__device_results(device, "multiply_add", 0, &none, sizeof none, 0, sizeof none));
+    }
+    for (int k = 0; k < BLOCKS; ++k) {
+        blocks[k][0] = 0;
+        sph2d__device_changed_on(device, blocks[k]);
+        sph2d__device_fetch(device, blocks[k]);
+        ck_assert_double_eq(blocks[k][0], k + 1);
+    }
+    sph2d__device_close(device, &memory);
+}
+END_TEST
+
 /* ---- a device that fails ----------------------------------------------------------------------------------------- */
 
 /** The run ends, says why and when, and what was known before can still be asked for. */
@@ -576,6 +607,7 @@ Suite *suite_device(void)
     tcase_add_test(tests, a_state_of_another_instruction_set);
     tcase_add_test(tests, a_scene_with_many_obstacles);
     tcase_add_test(tests, a_block_in_the_place_of_another);
+    tcase_add_test(tests, what_is_sent_stays_as_it_was);
     tcase_add_test(tests, scenes_that_no_device_takes);
     tcase_add_test(tests, options_that_cannot_be);
     tcase_add_test(tests, the_list_of_devices);

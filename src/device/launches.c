@@ -96,10 +96,12 @@ static void take_waiting(sph2d__device *d)
     d->waiting_count = d->waiting_bytes = 0;
 }
 
-/** Waits for the first `bytes` of results; zeros after a failure. */
+/** Waits for the first `bytes` of results, which may be none; zeros after a failure. */
 static void read_results(sph2d__device *d, size_t bytes, const char *doing)
 {
-    if (d->error == CL_SUCCESS && bytes > 0)
+    if (bytes == 0)
+        return;
+    if (d->error == CL_SUCCESS)
         sph2d__device_fail(
             d, d->cl->clEnqueueReadBuffer(d->queue, d->results, 1, 0, bytes, d->host_results, 0, NULL, NULL), doing);
     ++d->use.waits;
