@@ -402,7 +402,8 @@ FAULTS := $(if $(SANITIZE),,$(if $(findstring linux-gnu,$(MACHINE)),$(addprefix 
 test test-full: export POCL_CACHE_DIR = $(abspath $(BUILD)/pocl)
 test test-full: export SPH2D_FAULTS = $(abspath $(BUILD)/tests)
 test test-full: export LSAN_OPTIONS = suppressions=$(CURDIR)/tests/leaks.supp:print_suppressions=0
-test test-full: export ASAN_OPTIONS ?= allocator_may_return_null=1
+# pocl gives threads signal stacks of their own, which ASan takes for its.
+test test-full: export ASAN_OPTIONS ?= allocator_may_return_null=1:use_sigaltstack=0
 test test-full: override export CK_TIMEOUT_MULTIPLIER := $(shell echo $$(($(CK_TIMEOUT_MULTIPLIER) * $(if $(SANITIZE),5,1))))
 test test-full: | $(filter demo test-sanitize,$(MAKECMDGOALS))
 test-full: | $(filter test,$(MAKECMDGOALS))
