@@ -145,6 +145,20 @@ START_TEST(momentum_from_nothing_is_seen_while_particles_come)
 }
 END_TEST
 
+/** Of liquid that is taken away before the first step, what walls did to it at the start is left, and stops nothing. */
+START_TEST(liquid_that_is_taken_away_stops_nothing)
+{
+    const sph2d_shape all = {.kind = SPH2D_SHAPE_BOX, .box = {{-1, -1}, {2, 2}}};
+    start_box(_i, BOX);
+    box.block = test_block(0, 0, 1, 0.4);
+    sph2d_sim *sim = test_create(&box.scene, NULL);
+    ck_assert_int_eq(sph2d_sim_remove_particles(sim, &all, NULL), SPH2D_OK);
+    test_steps(sim, 20);
+    ck_assert_uint_eq(sph2d_sim_fluid(sim).count, 0);
+    sph2d_sim_destroy(sim);
+}
+END_TEST
+
 START_TEST(fitted_operators_have_no_balance_of_momentum)
 {
     start_box(2, BOX);
@@ -184,6 +198,7 @@ Suite *suite_momentum(void)
     tcase_add_loop_test(tests, momentum_comes_from_walls_bodies_and_forces_alone, 0, METHODS * THINGS);
     tcase_add_test(tests, momentum_from_nothing_is_told_and_bounded);
     tcase_add_test(tests, momentum_from_nothing_is_seen_while_particles_come);
+    tcase_add_loop_test(tests, liquid_that_is_taken_away_stops_nothing, 0, METHODS);
     tcase_add_test(tests, fitted_operators_have_no_balance_of_momentum);
     tcase_add_test(tests, particles_in_one_place_are_counted);
     suite_add_tcase(suite, tests);
