@@ -237,7 +237,7 @@ bool sph2d__sim_guard_momentum(const sph2d_sim *sim, sph2d_report *report)
     const sph2d__record *r = &sim->record;
     const double mass = sim->system.mass * (double)sim->system.fluid.count;
     const double scale = fmax(r->momentum_moved, sqrt(2 * mass * sph2d__sim_energy_scale(sim)));
-    if (mass == 0 || !(r->momentum_worst > MOMENTUM * scale)) /* all is gone, and what walls did to it before is left */
+    if (!(r->momentum_worst > MOMENTUM * scale))
         return true;
     sph2d_diagnostic *d =
         sph2d_report_add(report, SPH2D_ERROR, SPH2D_CODE_MOMENTUM, NULL,

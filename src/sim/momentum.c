@@ -95,6 +95,9 @@ static void book(double *error, double *last, double rate, double span)
 
 void sph2d__momentum_end(sph2d_sim *sim, double dt)
 {
+    const bool cut =
+        sim->momentum_cut && !sim->method->mean_forces; /* the forces of the start are of what is gone, too */
+    sim->momentum_cut = false;
     if (!sim->momentum_watched)
         return;
     sph2d__record *r = &sim->record;
@@ -106,10 +109,10 @@ void sph2d__momentum_end(sph2d_sim *sim, double dt)
     const bool known = sim->method->books_all;
     const double x = s.momentum.x - sim->momentum_before.x - (known ? dt * mean.x : half * both.x) + on_walls->x,
                  y = s.momentum.y - sim->momentum_before.y - (known ? dt * mean.y : half * both.y) + on_walls->y;
-    if (sim->momentum_changed) {
+    if (sim->momentum_changed && !cut) {
         r->momentum_error_x += x;
         r->momentum_error_y += y;
-    } else {
+    } else if (!cut) {
         book(&r->momentum_error_x, &r->momentum_rate_x, x / dt, span);
         book(&r->momentum_error_y, &r->momentum_rate_y, y / dt, span);
         r->momentum_time = now;

@@ -60,6 +60,7 @@ struct sph2d_sim {
     uint64_t momentum_kept;     /**< of which step they are known from the end of the one before; 0: of none */
     bool momentum_watched;      /**< ... whose momentum is balanced ... */
     bool momentum_changed;      /**< ... and before which particles came or went */
+    bool momentum_cut;          /**< a program took liquid away since the last step */
     sph2d__bodies bodies;       /**< that the liquid moves */
     sph2d__openings openings;   /**< through which liquid flows in and out */
     sph2d__outlines outlines;   /**< of walls and bodies, as they are now */
