@@ -482,6 +482,7 @@ test-full: $(TESTED) ## the rest: long runs of physics, random scenes, kills, re
 	$(call stage,$(RESTARTS) "$$(nproc)" 3001..$(if $(SPH2D_TEST_FULL),3060,3006))
 	$(call stage,$(RESTARTS) "$$(nproc)" $(FRESH)..$$(($(FRESH) + 5)))
 	$(call stage,$(RESTARTS) "$$(nproc)" tests/restarts/scenes)
+	$(if $(GOLDEN),$(call stage,DEVICE="$$(tests/device/pocl.sh $(BUILD)/sph2d)" $(RESTARTS) "$$(nproc)" 1..$(if $(SPH2D_TEST_FULL),400,40)))
 	$(call stage,$(KILLS) $(if $(SPH2D_TEST_FULL),500,10))
 	$(call stage,$(HARD_CASES) --short $(if $(GOLDEN),,A) >$(BUILD)/tests/hard_cases.md || \
 	    { grep -E 'MISSED|WORSE|HOLDS' $(BUILD)/tests/hard_cases.md; exit 1; })

@@ -5,8 +5,7 @@
 export POCL_CACHE_DIR="${POCL_CACHE_DIR-$PWD/pocl}"
 
 expect 0 "$SPH2D" devices --json
-device=$(sed -n 's/^{"number": \([0-9]*\), .*"platform": "Portable Computing Language".*/\1/p' out | head -n 1)
-[ -n "$device" ] || fail 'no device of pocl, which this test runs on: apt install pocl-opencl-icd ocl-icd-libopencl1'
+device=$("$SPH2D_ROOT"/tests/device/pocl.sh "$SPH2D") || fail 'no device of pocl'
 sed -n "${device}p" out >about
 for key in name gpu same_bits lacks units memory_bytes largest_block_bytes platform driver; do
     grep -q "\"$key\": " about || fail "no $key"

@@ -26,12 +26,7 @@ esac
 out=$build/device
 rm -rf "$out" && mkdir -p "$out/lines"
 "$build/sph2d" devices --json >"$out/devices"
-if [ -z "$device" ]; then
-    device=$(sed -n 's/^{"number": \([0-9]*\), .*"platform": "Portable Computing Language".*/\1/p' "$out/devices" | head -n 1)
-    [ -n "$device" ] || {
-        echo 'bits: no device of pocl, which these tests run on: apt install pocl-opencl-icd ocl-icd-libopencl1' >&2 && exit 1
-    }
-fi
+[ -n "$device" ] || device=$(tests/device/pocl.sh "$build/sph2d")
 about=$(grep "^{\"number\": $device, " "$out/devices") || { echo "bits: no device $device in 'sph2d devices'" >&2 && exit 1; }
 name=${about#*'"name": "'} && name=${name%%\"*}
 grep -q '"same_bits": true' <<<"$about" || { echo "bits: $name does not round as the processor does" >&2 && exit 1; }

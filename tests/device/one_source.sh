@@ -7,9 +7,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 build=$(realpath -e "$1") device=${2-}
 export POCL_CACHE_DIR="${POCL_CACHE_DIR-$build/pocl}" LC_ALL=C
-[ -n "$device" ] || device=$("$build/sph2d" devices --json |
-    sed -n 's/^{"number": \([0-9]*\), .*"platform": "Portable Computing Language".*/\1/p' | head -n 1)
-[ -n "$device" ] || { echo 'one_source: no device of pocl: apt install pocl-opencl-icd ocl-icd-libopencl1' >&2 && exit 1; }
+[ -n "$device" ] || device=$(tests/device/pocl.sh "$build/sph2d")
 copy=$build/one_source
 rm -rf "$copy" && mkdir -p "$copy"
 cp -R Makefile src include shaders cli tests examples "$copy"

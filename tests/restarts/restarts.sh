@@ -6,6 +6,8 @@
 # --max-wall, after single steps, or by an earlier run.until. Where a signal hits depends on the machine; DIR/SEED/log
 # says where. A FOLDER has scenes that are stopped as they are, after single steps and by run.until: together they use
 # every key of a scene, but those that FOLDER/unused_keys lists with a reason.
+# DEVICE=N: whole by instruction set baseline, in parts by it or by this device of `sph2d devices`. Scenes that devices do not
+# take, or whose whole run takes more than a second, are left out.
 set -euo pipefail
 if [ "$1" = --one ]; then shift && one=yes; else one=; fi
 SPH2D=$(realpath -e "$1") strangers=$(realpath -e "$2") jobs=$4 seeds=$5
@@ -133,12 +135,18 @@ choose_stop() {
 
 # Starts anew where a stop has left nothing to go on from.
 go_on() {
-    local to=("${end[@]}")
+    local to=("${end[@]}") by on
     if [ "$stop" = until ]; then to=(-s "run.until=$delay"); fi
+    by=(-j 2)
+    if [ -n "${DEVICE-}" ]; then
+        on=$(pick cpu "$DEVICE" "$DEVICE")
+        by=(-j 2 --device "$on")
+        if [ "$on" = cpu ] && [ ! -e parts/checkpoint.h5 ] && [ ! -e parts/snapshot_000000.h5 ]; then by+=(--isa baseline); fi
+    fi
     if [ -e parts/checkpoint.h5 ] || [ -e parts/snapshot_000000.h5 ]; then
-        session resume parts -j 2 "${to[@]}"
+        session resume parts "${by[@]}" "${to[@]}"
     else
-        session run scene.yaml -o parts -j 2 -f "${changes[@]}" "${to[@]}"
+        session run scene.yaml -o parts "${by[@]}" -f "${changes[@]}" "${to[@]}"
     fi
 }
 
@@ -199,9 +207,15 @@ run_one() {
     end=(-s "run.until=$until")
     if [ -z "$given" ] && [ -n "$until" ]; then change_method && change_drives && change_outputs; fi
     printf '%s\n' "${changes[@]}" >changes
+    if [ -n "${DEVICE-}" ] && ! "$SPH2D" check scene.yaml -q --device "$DEVICE" "${changes[@]}" >>log 2>&1; then
+        echo "refused $seed: $(grep -m 1 error log)" && return
+    fi
     begun=$EPOCHREALTIME whole=0
-    "$SPH2D" run scene.yaml -o whole -q -j 1 "${draw[@]}" "${changes[@]}" "${end[@]}" >>log 2>&1 || whole=$?
+    "$SPH2D" run scene.yaml -o whole -q -j 1 ${DEVICE:+--isa baseline} "${draw[@]}" "${changes[@]}" "${end[@]}" >>log 2>&1 || whole=$?
     seconds=$(number "$EPOCHREALTIME - $begun")
+    if [ -n "${DEVICE-}" ]; then
+        case $seconds in 0.*) seconds=$(number "20 * $seconds") ;; *) echo "refused $seed: long" && return ;; esac # pocl is slow
+    fi
     case $whole in
     0 | 1) ;;
     65 | 66) echo "${given:+FAIL }refused $seed: $(grep -m 1 error log)" && return ;;
