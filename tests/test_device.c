@@ -497,7 +497,13 @@ START_TEST(each_allocation_fails_once)
 }
 END_TEST
 
-/** Results for which the host has no room end the device's work: its kernel has not run. */
+static void take_count(void *to, const void *results, size_t groups)
+{
+    (void)results;
+    *(size_t *)to = groups;
+}
+
+/** Results for which the host has no room end the device's work: its kernel has not run, and those that were to come later are none. */
 START_TEST(room_for_results_is_missing)
 {
     budget b = {.left = LONG_MAX};
@@ -508,6 +514,9 @@ START_TEST(room_for_results_is_missing)
     ck_assert_ptr_nonnull(device);
     ck_assert(!sph2d__device_failed(device, &why, &kernel));
     b.left = 0;
+    size_t groups = SIZE_MAX;
+    sph2d__device_results_later(device, "layout", 1, NULL, 0, 0, 1000, take_count, &groups);
+    ck_assert_uint_eq(groups, 0);
     ck_assert_ptr_null(sph2d__device_results(device, "layout", 1, NULL, 0, 0, 1000));
     ck_assert(sph2d__device_failed(device, &why, &kernel));
     ck_assert_str_eq(kernel, "layout");

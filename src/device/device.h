@@ -74,7 +74,7 @@ void sph2d__device_run(sph2d__device *device, const char *kernel, size_t count, 
 const void *sph2d__device_results(sph2d__device *device, const char *kernel, size_t count, const void *arguments,
                                   size_t bytes, unsigned writes, size_t size);
 
-/** Takes the results of a kernel for some groups, once they are there. */
+/** Takes the results of a kernel for some groups, once they are there; of none where memory is short. */
 typedef void sph2d__take(void *to, const void *results, size_t groups);
 /** The same, but the results are handed to `take` later: by sph2d__device_settle(), or before. */
 void sph2d__device_results_later(sph2d__device *device, const char *kernel, size_t count, const void *arguments,

@@ -174,6 +174,7 @@ void sph2d__device_results_later(sph2d__device *d, const char *kernel, size_t co
         sph2d__device_settle(d);
     if (!reserve_results(d, all)) {
         sph2d__device_fail(d, CL_OUT_OF_HOST_MEMORY, kernel);
+        take(to, NULL, 0);
         return;
     }
     launch(d, kernel, count, arguments, bytes, writes);
