@@ -114,10 +114,10 @@ static void grow(sph2d__device *d)
                 d, d->cl->clEnqueueCopyBuffer(d->queue, old, d->arena, from, b->offset, b->bytes, 0, NULL, NULL),
                 "a copy");
     }
-    if (old && d->error == CL_SUCCESS)
-        sph2d__device_fail(d, d->cl->clFinish(d->queue), "a copy");
-    if (old)
+    if (old) {
+        sph2d__device_wait(d, "a copy");
         d->cl->clReleaseMemObject(old);
+    }
 }
 
 bool sph2d__device_moved(sph2d__device *d)

@@ -23,7 +23,7 @@ typedef struct block {
     uint64_t offset, spare; /* spare: 0 until it is asked for */
     unsigned owner;
     bool host_old, device_old; /* the other one has changed it */
-    unsigned list;             /* the last one that it was in */
+    uint64_t list;             /* the last one that it was in */
 } block;
 
 typedef struct launcher {
@@ -50,7 +50,7 @@ struct sph2d__device {
     size_t block_room, known; /* entries */
     bool grows;               /* the list needs a larger arena */
     bool asked;               /* blocks are on their way to the host */
-    unsigned list;
+    uint64_t list;
     bool stale;                  /* the numbers that kernels have name places of before */
     unsigned slot, numbers_slot; /* the last one filled, and that of what all kernels read now */
     unsigned unread;             /* slots filled since the last wait: the driver may have to read them yet */
