@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 golden=$1 faulty=$2 out=$3 first=${4-60} times=${5-40}
 rm -rf "$out" && mkdir -p "$out"
 ln -s "$(realpath "$faulty")" "$out/libOpenCL.so.1"
-FAULTY_REAL=$(ldconfig -p | awk '/libOpenCL\.so\.1 /{ print $NF; exit }')
+FAULTY_REAL=$(ldconfig -p | awk '/libOpenCL\.so\.1 / && !n++ { print $NF }')
 export FAULTY_REAL FAULTY_COUNT=$out/count POCL_CACHE_DIR=${POCL_CACHE_DIR:-$out/cache}
 mkdir -p "$POCL_CACHE_DIR"
 run() {
