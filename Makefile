@@ -308,7 +308,7 @@ $(BUILD)/tests/golden: $(GOLDEN_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d-co
 $(BUILD)/tests/faults_library: $(FAULTS_OBJ) $(BUILD)/libsph2d-io.a $(BUILD)/libsph2d.a $(BUILD)/variant
 	$(call link,,$(IO_LIBS) $(CORE_LIBS))
 $(BUILD)/tests/faulty_opencl.so: tests/device/faulty.c src/device/opencl_api.h
-	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -Isrc -shared -fPIC -o $@ $<
+	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -Isrc -shared -fPIC -pthread -o $@ $<
 $(BUILD)/tests/faults_shim.so: tests/faults/shim.c
 	$(call say,CC,$@)mkdir -p $(@D) && $(CC) -std=gnu17 -O2 -Wall -Wextra -shared -fPIC -o $@ $<
 $(FUZZ_BIN): $(BUILD)/fuzz/%: $(OBJ)/tests/fuzz/%.o $(FUZZ_DRIVER_OBJ) $(BUILD)/libsph2d-study.a \
@@ -415,6 +415,7 @@ first_stage = @mkdir -p $(dir $(FAILED)) && rm -f $(FAILED)
 stage = $(hush)($(1)) || printf '    %s\n' '$(subst ','\'',$(1))' >>$(FAILED)
 last_stage = @test ! -e $(FAILED) || { echo 'make $@: failed:' && cat $(FAILED) && exit 1; } >&2
 # Python is not built with sanitizers: gcc's come before all other libraries, clang's are none.
+LATE = tests/device/late.sh $(BUILD)/tests/faulty_opencl.so $(BUILD)/device_late
 PYTHON_SANITIZED = $(if $(SANITIZE),LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) \
     $$($(CC) -print-file-name=libubsan.so)" ASAN_OPTIONS=detect_leaks=0)
 WITH_NUMPY = $(firstword $(shell for p in $(PYTHONS); do "$$p" -c 'import numpy' 2>/dev/null && echo "$$p"; done))
@@ -443,7 +444,8 @@ test: $(TESTED) $(EXAMPLE_BIN) ## what every change must pass (installs missing 
 	$(call stage,tests/fuzz/fuzz.sh $(BUILD)/sph2d $(BUILD)/fuzz $(BUILD)/fuzz/found)
 	$(if $(GOLDEN),$(call stage,tests/golden/golden.sh $(BUILD)/tests/golden $(BUILD)/golden "$$(nproc)" --own))
 	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) jobs="$$(nproc)" steps=10))
-	$(if $(GOLDEN),$(call stage,tests/device/bits.sh $(BUILD) jobs="$$(nproc)" methods=own steps=1000 scenes='dam_break/scene drop/scene report/realtime'))
+	$(if $(GOLDEN),$(call stage,$(LATE) tests/device/bits.sh $(BUILD) jobs="$$(nproc)" methods=own steps=1000 scenes='dam_break/scene drop/scene report/realtime'))
+	$(if $(GOLDEN),$(call stage,$(LATE) env CK_RUN_SUITE=device $(BUILD)/tests/check_all))
 	$(if $(GOLDEN),$(call stage,tests/device/faults.sh $(BUILD)/tests/golden $(BUILD)/tests/faulty_opencl.so $(BUILD)/device_faults 12 6))
 	$(call stage,CK_EXCLUDE_TAGS=long tests/units.sh $(BUILD)/tests/check_all $(BUILD)/units "$$(nproc)")
 	$(last_stage)

@@ -410,7 +410,9 @@ START_TEST(what_is_sent_stays_as_it_was)
         sph2d__device_fetch(device, blocks[k]);
         ck_assert_double_eq(blocks[k][0], k + 1);
     }
-    sph2d__device_close(device, &memory);
+    sph2d__device_changed(device, SPH2D__OF_FLUID);
+    sph2d__device_run(device, "multiply_add", 1, &none, sizeof none, 0);
+    sph2d__device_close(device, &memory); /* which waits */
 }
 END_TEST
 

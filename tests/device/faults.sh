@@ -2,16 +2,17 @@
 # What if a device is lost? faults.sh GOLDEN FAULTY OUT [FIRST TIMES]
 #
 # Runs five steps of a scene on the first device with a libOpenCL.so.1 (FAULTY, tests/device/faulty.c) whose call number N
-# fails, and all after it: the FIRST calls (default 60), and TIMES more (default 40) spread over the rest. A run may end with the status of a device, or
-# with none found, or as it should where the call does not matter, but not by a signal, and never with other numbers:
-# where the device is lost after the last step there is no state, whose hash is 0.
+# fails, and all after it, and where nothing is done before the host waits for it: the FIRST calls (default 60), and TIMES more
+# (default 40) spread over the rest. A run may end with the status of a device, or with none found, or as it should where the
+# call does not matter, but not by a signal, and never with other numbers: where the device is lost after the last step there
+# is no state, whose hash is 0.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 golden=$1 faulty=$2 out=$3 first=${4-60} times=${5-40}
 rm -rf "$out" && mkdir -p "$out"
 ln -s "$(realpath "$faulty")" "$out/libOpenCL.so.1"
 FAULTY_REAL=$(ldconfig -p | awk '/libOpenCL\.so\.1 / && !n++ { print $NF }')
-export FAULTY_REAL FAULTY_COUNT=$out/count POCL_CACHE_DIR=${POCL_CACHE_DIR:-$out/cache}
+export FAULTY_REAL FAULTY_LATE=1 FAULTY_COUNT=$out/count POCL_CACHE_DIR=${POCL_CACHE_DIR:-$out/cache}
 mkdir -p "$POCL_CACHE_DIR"
 run() {
     FAULTY_AT=$1 LD_LIBRARY_PATH=$out "$golden" --device 1 --own examples/stir/scene.yaml stir 5 100 1
