@@ -617,8 +617,9 @@ hard-docs: ## puts the table of hard cases of the last test-hard into docs/valid
 	$(hush)sed -i -e '/^<!-- hard -->/,/^<!-- end of hard -->/{//!d}' \
 	    -e '/^<!-- hard -->/r $(BUILD)/hard/cases.md' docs/validation.md
 
-bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BENCH='--particles 16000,1000000'
-	$(hush)$(BUILD)/tests/bench $(BENCH)
+OF_DEVICES := wcsph,muller,constraint
+bench: $(BUILD)/tests/bench ## how fast steps are, by method, size, threads; BENCH='--particles 16000,1000000'; DEVICE=1: on a device
+	$(hush)$(BUILD)/tests/bench $(if $(filter command environment,$(origin DEVICE)),--device $(DEVICE) --scenes $(OF_DEVICES)) $(BENCH)
 
 bench-command: $(BUILD)/sph2d ## the command's own choice of threads against one thread; COMMAND='beside particles=1000,1000000'
 	$(hush)tests/bench/command.sh $(BUILD)/sph2d $(COMMAND)
