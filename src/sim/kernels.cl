@@ -262,6 +262,27 @@ static inline void one_work(const sph2d__system *s, size_t i, const int *none, s
 }
 SUM(sum_work, int, one_work)
 
+/* Forces on the sides of the domain and on boundary particles, by what a method has for each. */
+#define LOADS(push, force)                                                                                             \
+    static inline void one_side(const sph2d__system *s, size_t i, const sph2d__side_load *load, sph2d__slab_sum *sum)  \
+    {                                                                                                                  \
+        double fill[4];                                                                                                \
+        push(s, i, fill);                                                                                              \
+        sph2d__add_sides(s, load, i, fill, sum);                                                                       \
+    }                                                                                                                  \
+    SUM(sum_sides, sph2d__side_load, one_side)                                                                         \
+                                                                                                                       \
+    SPH2D__FORCE_OF_WALL(force_of_wall, int, none, force)                                                              \
+                                                                                                                       \
+    KERNEL(wall_forces)                                                                                                \
+    {                                                                                                                  \
+        const size_t b = get_global_id(0);                                                                             \
+        SYSTEM                                                                                                         \
+        const ulong to = *(__global const ulong *)(numbers + own_at);                                                  \
+        if (b < count)                                                                                                 \
+            BLOCK(sph2d__wall_force, to)[b] = force_of_wall(&s, 0, b);                                                 \
+    }
+
 static inline void reverse_span(sph2d__system *s, size_t first, size_t last)
 {
     for (size_t i = first; i < last; ++i) {

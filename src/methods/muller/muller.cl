@@ -24,21 +24,4 @@ static inline void one_energy(const sph2d__system *s, size_t i, const int *none,
 }
 SUM(sum_energy, int, one_energy)
 
-static inline void one_side(const sph2d__system *s, size_t i, const sph2d__side_load *load, sph2d__slab_sum *sum)
-{
-    double fill[4];
-    side_push(s, i, fill);
-    sph2d__add_sides(s, load, i, fill, sum);
-}
-SUM(sum_sides, sph2d__side_load, one_side)
-
-SPH2D__FORCE_OF_WALL(force_of_wall, int, none, wall_force)
-
-KERNEL(wall_forces)
-{
-    const size_t b = get_global_id(0);
-    SYSTEM
-    const ulong to = *(__global const ulong *)(numbers + own_at);
-    if (b < count)
-        BLOCK(sph2d__wall_force, to)[b] = force_of_wall(&s, 0, b);
-}
+LOADS(side_push, wall_force)
