@@ -132,7 +132,7 @@ sph2d_status sph2d_sim_remove_particles(sph2d_sim *sim, const sph2d_shape *shape
         *removed = count;
     if (count == 0)
         return SPH2D_OK;
-    sim->momentum_cut = true;
+    sim->record.momentum_changes = SPH2D__MOMENTUM_CUT;
     sph2d_status status = sph2d__sim_remove_flagged(sim);
     return status == SPH2D_OK ? settle(sim) : status;
 }

@@ -73,6 +73,7 @@ static sums sum(const sph2d_sim *sim, sph2d_vec2 gravity)
 void sph2d__momentum_begin(sph2d_sim *sim)
 {
     const uint64_t step = sim->record.steps + 1;
+    sim->momentum_cut = sim->record.momentum_changes == SPH2D__MOMENTUM_CUT;
     sim->momentum_changed = has_changed(sim);
     sim->momentum_watched = is_watched(sim, step);
     sim->loads.watched = sim->momentum_watched || is_watched(sim, step + 1);
@@ -97,7 +98,6 @@ void sph2d__momentum_end(sph2d_sim *sim, double dt)
 {
     const bool cut =
         sim->momentum_cut && !sim->method->mean_forces; /* the forces of the start are of what is gone, too */
-    sim->momentum_cut = false;
     if (!sim->momentum_watched)
         return;
     sph2d__record *r = &sim->record;

@@ -74,7 +74,8 @@
     X(particle_steps, "ParticleSteps", "particles advanced, summed over the steps")                                    \
     X(sample_step, "SampleStep", "step of an early sample of dissipation")                                             \
     X(next_id, "NextParticleID", "id of the next particle")                                                            \
-    X(momentum_changes, "MomentumChanges", "particles added and removed before the last step")                         \
+    X(momentum_changes, "MomentumChanges",                                                                             \
+      "particles added and removed before the last step; all bits: a program took some away since")                    \
     X(isa, "InstructionSet", "1 baseline, 2 avx2, 3 avx512")                                                           \
     X(next_limit, "NextLimit", "what limits the next step: acoustic, force, viscous, fixed")                           \
     X(short_steps, "ShortSteps", "consecutive steps that were near collapse")                                          \

@@ -60,7 +60,7 @@ struct sph2d_sim {
     uint64_t momentum_kept;     /**< of which step they are known from the end of the one before; 0: of none */
     bool momentum_watched;      /**< ... whose momentum is balanced ... */
     bool momentum_changed;      /**< ... and before which particles came or went */
-    bool momentum_cut;          /**< a program took liquid away since the last step */
+    bool momentum_cut;          /**< ... and liquid was taken away by a program */
     sph2d__bodies bodies;       /**< that the liquid moves */
     sph2d__openings openings;   /**< through which liquid flows in and out */
     sph2d__outlines outlines;   /**< of walls and bodies, as they are now */
@@ -145,6 +145,8 @@ bool sph2d__sim_rise_is_known(const sph2d_sim *sim);
 /** Before the method's step, and after the loads' end of it: in some steps, adds the momentum that came from nothing to
  *  the balance (momentum.c), which is known but with openings or fitted operators. */
 void sph2d__momentum_begin(sph2d_sim *sim);
+/** In the record's momentum_changes, so that a state has it, too: a program took liquid away since the last step. */
+#define SPH2D__MOMENTUM_CUT UINT64_MAX
 void sph2d__momentum_end(sph2d_sim *sim, double dt);
 bool sph2d__sim_momentum_is_known(const sph2d_sim *sim);
 /** Samples dissipation and adds that since the last sample to the energy balance (work.c). Errors: SPH2D_NOMEM. */

@@ -61,6 +61,16 @@ class Copies(common.InFolder):
             self.assertEqual(counts.tolist(), [0, 0, 5])
         self.assertEqual([len(other.series("often")["time [s]"]) for other in (sim, *others)], [5, 5, 5, 5, 1])
 
+    def test_copies_after_a_cut_go_on_the_same(self):
+        sim = sph2d.Simulation({**tank(), "method": "muller"}, threads=1)
+        sim.remove_particles({"box": {"min": [0, 0], "max": [0.1, 1]}})
+        sim.write_snapshot("a.h5")
+        others = [function(sim) for function in WAYS.values()] + [sph2d.Snapshot("a.h5").resume(threads=1)]
+        for other in (sim, *others):
+            for _ in range(10):
+                other.step()
+            self.assertEqual(as_one(other), as_one(sim))
+
     def test_walls_without_particles(self):
         scene = {**tank(), "method": "muller"}
         self.assertEqual(len(sph2d.Simulation(scene, threads=1).walls), 0)
